@@ -1,0 +1,10 @@
+"""Lift an annotated 2D sketch to 3D: the Modified Lipson solver of [Lau10].
+
+[Lau10] Lau, Saul, Mitani, Igarashi: Modeling-in-Context: User Design of Complementary Objects with
+a Single Photo, 2010.
+"""
+
+from .errors import SketchError
+from .serialise import load_sketch, load_solution, save_sketch, save_solution
+
+__all__ = ["SketchError", "load_sketch", "load_solution", "save_sketch", "save_solution"]

@@ -1,0 +1,138 @@
+"""The solution: the sketch lifted to 3D, and how well it went."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from typing import Any
+
+from .camera import Camera
+from .graph import Face, face_to_json
+from .values import Array, frozen_array, frozen_mapping
+
+FORMAT = "incontext/solution"
+VERSION = 1
+
+
+class Status(StrEnum):
+    """How a solve ended."""
+
+    CONVERGED = "converged"
+    NOT_CONVERGED = "not_converged"
+    UNDERDETERMINED = "underdetermined"
+    CONFLICTING = "conflicting"
+
+
+@dataclass(frozen=True, slots=True)
+class Residual:
+    """How far an annotation is from being true, in its own unit."""
+
+    value: float
+    unit: str
+
+
+@dataclass(frozen=True, slots=True)
+class SolvedCircle:
+    """A horizontal circle in the world."""
+
+    center_mm: Array
+    radius_mm: float
+
+
+@dataclass(frozen=True, slots=True)
+class Report:
+    """What the solver found out besides the shape.
+
+    Parameters
+    ----------
+    degrees_of_freedom : int
+        Freedoms that neither the drawing nor the annotations fix (overall size not counted).
+    loose : tuple of vertex ids
+        The vertices which those freedoms move.
+    residuals : mapping of annotation id to Residual
+    reprojection_px : mapping of vertex id to px
+        Distance between the drawn and the projected position.
+    conflicts : tuple of annotation ids
+        Annotations that cannot all hold, the likeliest culprit first.
+    iterations : int
+    solve_ms : float
+    """
+
+    degrees_of_freedom: int = 0
+    loose: tuple[str, ...] = ()
+    residuals: Mapping[str, Residual] = field(default_factory=lambda: frozen_mapping({}))
+    reprojection_px: Mapping[str, float] = field(default_factory=lambda: frozen_mapping({}))
+    conflicts: tuple[str, ...] = ()
+    iterations: int = 0
+    solve_ms: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Solution:
+    """The lifted shape.
+
+    Parameters
+    ----------
+    sketch_digest : str
+        Digest of the graph that was solved.
+    status : Status
+    message : str
+        One sentence for people.
+    vertices_mm : mapping of vertex id to (3,) array
+        World positions; mirrored vertices included (``v3@a5``).
+    edges : mapping of edge id to (vertex id, vertex id)
+    faces : mapping of face id to Face
+    circles : mapping of circle id to SolvedCircle
+    camera : Camera or None
+    scale_assumed : bool
+        True where nothing fixed the size: then the longest edge is 100 mm.
+    report : Report
+    """
+
+    sketch_digest: str
+    status: Status
+    message: str
+    vertices_mm: Mapping[str, Array] = field(default_factory=dict)
+    edges: Mapping[str, tuple[str, str]] = field(default_factory=dict)
+    faces: Mapping[str, Face] = field(default_factory=dict)
+    circles: Mapping[str, SolvedCircle] = field(default_factory=dict)
+    camera: Camera | None = None
+    scale_assumed: bool = False
+    report: Report = field(default_factory=Report)
+
+    def __post_init__(self) -> None:
+        vertices = {id_: frozen_array(x, (3,)) for id_, x in self.vertices_mm.items()}
+        object.__setattr__(self, "vertices_mm", frozen_mapping(vertices))
+        for name in ("edges", "faces", "circles"):
+            object.__setattr__(self, name, frozen_mapping(getattr(self, name)))
+
+    def to_json(self) -> dict[str, Any]:
+        """The solution as it stands in the file."""
+        report = self.report
+        return {
+            "format": FORMAT,
+            "version": VERSION,
+            "sketch_digest": self.sketch_digest,
+            "status": self.status.value,
+            "message": self.message,
+            "vertices": {id_: x.tolist() for id_, x in self.vertices_mm.items()},
+            "edges": {id_: list(ends) for id_, ends in self.edges.items()},
+            "faces": {id_: face_to_json(f) for id_, f in self.faces.items()},
+            "circles": {
+                id_: {"center": c.center_mm.tolist(), "radius_mm": c.radius_mm}
+                for id_, c in self.circles.items()
+            },
+            "camera": None if self.camera is None else self.camera.to_json(),
+            "scale_assumed": self.scale_assumed,
+            "report": {
+                "degrees_of_freedom": report.degrees_of_freedom,
+                "residuals": {
+                    id_: {"value": r.value, "unit": r.unit} for id_, r in report.residuals.items()
+                },
+                "reprojection_px": dict(report.reprojection_px),
+                "conflicts": list(report.conflicts),
+                "iterations": report.iterations,
+                "solve_ms": report.solve_ms,
+            },
+        }

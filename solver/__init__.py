@@ -6,5 +6,6 @@ a Single Photo, 2010.
 
 from .errors import SketchError
 from .serialise import load_sketch, load_solution, save_sketch, save_solution
+from .two_step import solve
 
-__all__ = ["SketchError", "load_sketch", "load_solution", "save_sketch", "save_solution"]
+__all__ = ["SketchError", "load_sketch", "load_solution", "save_sketch", "save_solution", "solve"]

@@ -1,0 +1,163 @@
+"""The full step: rotation, focal length and shared coordinates against the drawing ([Lau10] 4.2).
+
+The unknowns are x = (omega, phi, g): a small turn of the camera, the logarithm of the focal length,
+and the shared coordinates. The objective is the distance in the image between the projected and the
+drawn vertices (the paper's projection term |p - p'|^2); leftover constraints are held exactly.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from .initial import LOG_FOCAL_RANGE
+from .least_squares import Evaluation
+from .problem import Problem
+from .values import Array
+
+#: How well a focal length from EXIF is known, and the wide prior where nothing else decides.
+EXIF_LOG_SIGMA = 0.01
+#: A person's drawing error in image units, against which priors are weighed.
+DRAWING_SIGMA = 0.005
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Pose:
+    """A point of the full step.
+
+    Parameters
+    ----------
+    R : (3, 3) array
+        Camera from object axes; the eye is at the origin.
+    log_focal : float
+    g : (m,) array
+        Shared coordinates; their overall size is free.
+    """
+
+    R: Array
+    log_focal: float
+    g: Array
+
+
+@dataclass(frozen=True, slots=True)
+class FocalPrior:
+    """What is known of the focal length beforehand, log image units."""
+
+    log_focal: float
+    sigma: float
+
+
+class FullProblem:
+    """The Objective of the full step."""
+
+    def __init__(self, problem: Problem, prior: FocalPrior | None) -> None:
+        self.problem = problem
+        self.prior = prior
+        self.coordinate = problem.structure.coordinate
+        self.m = problem.structure.n_coordinates
+
+    def evaluate(self, x: Pose) -> Evaluation:
+        """Residuals and Jacobians over (omega, phi, g)."""
+        r, J = self._reprojection(x)
+        h, H = self._constraints(x)
+        size = float(np.linalg.norm(x.g)) or 1.0
+        gauge = np.zeros(4 + self.m)
+        gauge[4:] = x.g / size
+        return Evaluation(r, J, h, H, np.outer(gauge, gauge))
+
+    def merit(self, x: Pose, rho: float) -> float:
+        """|r|^2 + rho |h|^2."""
+        r = self._residual(x)
+        total = float(r @ r)
+        if rho > 0:
+            for block in self.problem.blocks:
+                h = block.evaluate(x.g[self.coordinate]).residual
+                total += rho * float(h @ h)
+        return total
+
+    def retract(self, x: Pose, step: Array) -> Pose | None:
+        """Turn the camera, scale the focal length, move the coordinates."""
+        if float(np.abs(step[:3]).max()) > 1.0:
+            return None
+        log_focal = float(np.clip(x.log_focal + np.clip(step[3], -0.5, 0.5), *LOG_FOCAL_RANGE))
+        g = x.g + step[4:]
+        size = float(np.linalg.norm(g))
+        if not 1e-12 < size < 1e12:
+            return None
+        # The overall size is free; keeping it stops drift.
+        g = g * (float(np.linalg.norm(x.g)) / size)
+        moved = Pose(Rotation.from_rotvec(step[:3]).as_matrix() @ x.R, log_focal, g)
+        depth = moved.g[self.coordinate] @ moved.R[2]
+        if len(depth) and float(depth.min()) <= 1e-4 * float(np.abs(depth).mean()):
+            return None
+        return moved
+
+    def positions(self, x: Pose) -> Array:
+        """Vertices in object axes, (n, 3)."""
+        return np.asarray(x.g[self.coordinate])
+
+    def _residual(self, x: Pose) -> Array:
+        in_cam = x.g[self.coordinate] @ x.R.T
+        projected = np.exp(x.log_focal) * in_cam[:, :2] / in_cam[:, 2:]
+        r = (projected - self.problem.points) * self.problem.weights[:, None]
+        return np.append(r.reshape(-1), self._prior_residual(x))
+
+    def _prior_residual(self, x: Pose) -> Array:
+        if self.prior is None:
+            return np.zeros(0)
+        return np.array([DRAWING_SIGMA * (x.log_focal - self.prior.log_focal) / self.prior.sigma])
+
+    def _reprojection(self, x: Pose) -> tuple[Array, Array]:
+        in_cam = x.g[self.coordinate] @ x.R.T
+        n, f = len(in_cam), float(np.exp(x.log_focal))
+        inverse_depth = 1 / in_cam[:, 2]
+        projected = f * in_cam[:, :2] * inverse_depth[:, None]
+        # d(u, v) / d x_cam
+        D = np.zeros((n, 2, 3))
+        D[:, 0, 0] = D[:, 1, 1] = f * inverse_depth
+        D[:, :, 2] = -projected * inverse_depth[:, None]
+        D *= self.problem.weights[:, None, None]
+        J = np.zeros((2 * n, 4 + self.m))
+        # d x_cam / d omega = -[x_cam]x, so that a row d becomes x_cam x d.
+        J[:, :3] = np.cross(in_cam[:, None, :], D).reshape(-1, 3)
+        J[:, 3] = (projected * self.problem.weights[:, None]).reshape(-1)
+        by_axis = (D @ x.R).reshape(-1, 3)
+        rows = np.arange(2 * n)
+        for k in range(3):
+            J[rows, 4 + np.repeat(self.coordinate[:, k], 2)] = by_axis[:, k]
+        if self.prior is not None:
+            prior_row = np.zeros((1, 4 + self.m))
+            prior_row[0, 3] = DRAWING_SIGMA / self.prior.sigma
+            J = np.vstack([J, prior_row])
+        return self._residual(x), J
+
+    def _constraints(self, x: Pose) -> tuple[Array, Array]:
+        positions = self.positions(x)
+        residuals, jacobians = [np.zeros(0)], [np.zeros((0, 4 + self.m))]
+        for block in self.problem.blocks:
+            at = block.evaluate(positions)
+            H = np.zeros((len(at.residual), 4 + self.m))
+            for k in range(3):
+                columns = 4 + self.coordinate[at.vertex, k]
+                np.add.at(H, (at.row, columns), at.value[:, k])
+            residuals.append(at.residual)
+            jacobians.append(H)
+        return np.concatenate(residuals), np.vstack(jacobians)
+
+    def restore(self, x: Pose) -> Pose:
+        """Move the coordinates onto h = 0: dg = -H^T (H H^T + delta I)^-1 h."""
+        for _ in range(8):
+            h, H = self._constraints(x)
+            worst = float(np.abs(h).max(initial=0.0))
+            if worst < 1e-15:
+                break
+            H = H[:, 4:]
+            dg = -np.linalg.lstsq(H, h, rcond=1e-10)[0]
+            moved = Pose(x.R, x.log_focal, x.g + dg)
+            after = float(np.abs(self._constraints(moved)[0]).max(initial=0.0))
+            if not after < worst:
+                break
+            x = moved
+        return x

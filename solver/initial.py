@@ -1,0 +1,244 @@
+"""The start, without any search: the camera from the drawn directions, then linear depths.
+
+[Lau10] 4.2 finds depths from zero by Nelder-Mead and restarts. Here the edges along the object axes
+give the rotation and the focal length first, and then all coordinates follow from one linear
+least-squares problem; the role is the paper's: an approximate shape to start the full step from.
+
+Terms
+-----
+line
+    (x, y, 1) x (x', y', 1) of a drawn edge's ends, image units; the plane through the eye and the
+    edge has the normal N = (f l0, f l1, l2) in the camera frame.
+Necker twin
+    The other reading of a drawing, seen from below instead of above.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from .problem import Problem
+from .values import Array
+
+#: Focal lengths beyond these, in image units, are no camera a person holds.
+LOG_FOCAL_RANGE = (float(np.log(0.4)), float(np.log(40.0)))
+#: Where the formula's view fits the lines to this angle (rad, RMS), no further views are tried.
+GOOD_MISFIT = 0.02
+#: A usual phone camera, 26 mm equivalent, where nothing tells the focal length.
+USUAL_LOG_FOCAL = float(np.log(1.45))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Start:
+    """A camera to start from: rotation camera from object axes, and log focal length."""
+
+    R: Array
+    log_focal: float
+    misfit: float
+
+
+def starts(problem: Problem) -> list[Start]:
+    """Cameras that agree with the drawn directions, best first, Necker twins included."""
+    axis = problem.structure.edge_axis
+    along = axis >= 0
+    lines, weights = _lines(problem, along)
+    axes = axis[along]
+    fixed = problem.log_focal_prior
+    found = _refine_all(lines, weights, axes, _from_mean_directions(problem), fixed)
+    total = float(np.sum(weights**2))
+    if not found or found[0].misfit > GOOD_MISFIT**2 * total:
+        grid = _grid(lines, weights, axes, fixed)
+        found = _distinct([*found, *_refine_all(lines, weights, axes, grid, fixed)])
+    return found
+
+
+def _refine_all(
+    lines: Array,
+    weights: Array,
+    axes: Array,
+    candidates: list[tuple[Array, float]],
+    fixed: float | None,
+) -> list[Start]:
+    return _distinct([_refine(lines, weights, axes, R, f, fixed) for R, f in candidates])
+
+
+def _distinct(found: list[Start]) -> list[Start]:
+    """Best first, each view once."""
+    kept: list[Start] = []
+    for start in sorted(found, key=lambda s: s.misfit):
+        if not any(_same_view(start, other) for other in kept):
+            kept.append(start)
+    return kept
+
+
+def _lines(problem: Problem, chosen: Array) -> tuple[Array, Array]:
+    """Homogeneous lines (k, 3) and drawn lengths as weights (k,)."""
+    p, q = problem.points[problem.ends[chosen, 0]], problem.points[problem.ends[chosen, 1]]
+    ones = np.ones((len(p), 1))
+    lines = np.cross(np.hstack([p, ones]), np.hstack([q, ones]))
+    return lines, np.linalg.norm(q - p, axis=1)
+
+
+def _normals(lines: Array, log_focal: float) -> tuple[Array, Array]:
+    """Unit normals of the planes through the eye, and their derivative by log focal length."""
+    f = np.exp(log_focal)
+    N = lines * np.array([f, f, 1.0])
+    dN = lines * np.array([f, f, 0.0])
+    length = np.maximum(np.linalg.norm(N, axis=1, keepdims=True), 1e-300)
+    N, dN = N / length, dN / length
+    return N, dN - N * np.einsum("ij,ij->i", N, dN)[:, None]
+
+
+def _refine(
+    lines: Array, weights: Array, axes: Array, R: Array, log_focal: float, fixed: float | None
+) -> Start:
+    """Levenberg-Marquardt on r_e = w_e N_e . D_e over rotation and log focal length."""
+    damping = 1e-3
+    cost = _misfit(lines, weights, axes, R, log_focal)
+    for _ in range(30):
+        N, dN = _normals(lines, log_focal)
+        D = R[:, axes].T
+        r = weights * np.einsum("ij,ij->i", N, D)
+        J = np.hstack([np.cross(D, N), np.einsum("ij,ij->i", dN, D)[:, None]]) * weights[:, None]
+        if fixed is not None:
+            J[:, 3] = 0.0
+        A = J.T @ J
+        A[np.diag_indices(4)] += damping * (np.diag(A) + 1e-9)
+        step = -np.linalg.solve(A, J.T @ r)
+        if fixed is not None:
+            step[3] = 0.0
+        new_R = Rotation.from_rotvec(step[:3]).as_matrix() @ R
+        new_log_focal = float(np.clip(log_focal + np.clip(step[3], -0.7, 0.7), *LOG_FOCAL_RANGE))
+        new_cost = _misfit(lines, weights, axes, new_R, new_log_focal)
+        if new_cost <= cost:
+            small = cost - new_cost <= 1e-12 * cost + 1e-30
+            R, log_focal, cost = new_R, new_log_focal, new_cost
+            damping = max(damping / 10, 1e-12)
+            if small:
+                break
+        else:
+            damping *= 10
+            if damping > 1e6:
+                break
+    return Start(R, log_focal, cost)
+
+
+def _misfit(lines: Array, weights: Array, axes: Array, R: Array, log_focal: float) -> float:
+    N, _ = _normals(lines, log_focal)
+    return float(np.sum((weights * np.einsum("ij,ij->i", N, R[:, axes].T)) ** 2))
+
+
+def _same_view(a: Start, b: Start) -> bool:
+    """Equal up to the axes' signs, which drawn lines cannot tell."""
+    alignment = np.abs(np.einsum("ij,ij->j", a.R, b.R))
+    return bool((alignment > 0.9999).all() and abs(a.log_focal - b.log_focal) < 1e-2)
+
+
+def _from_mean_directions(problem: Problem) -> list[tuple[Array, float]]:
+    """Three axes, as if seen from far: t1^2 = -c12 c13 / c23, two signs, the Necker twins."""
+    axis = problem.structure.edge_axis
+    delta = problem.points[problem.ends[:, 1]] - problem.points[problem.ends[:, 0]]
+    means = []
+    for k in range(3):
+        d = delta[axis == k]
+        if len(d) == 0:
+            return []
+        d = d * np.sign(d @ d[int(np.argmax(np.linalg.norm(d, axis=1)))])[:, None]
+        means.append(d.sum(axis=0))
+    d1, d2, d3 = (m / max(float(np.linalg.norm(m)), 1e-300) for m in means)
+    # Signs that make as many of the three products negative as can be.
+    if d1 @ d2 > 0:
+        d2 = -d2
+    if d1 @ d3 > 0:
+        d3 = -d3
+    c12, c13, c23 = d1 @ d2, d1 @ d3, d2 @ d3
+    if max(c12, c13, c23) > -1e-6:
+        return []
+    t = np.sqrt(np.array([c12 * c13 / -c23, c12 * c23 / -c13, c13 * c23 / -c12]))
+    log_focal = problem.log_focal_prior
+    guesses = [USUAL_LOG_FOCAL, float(np.log(4.0))] if log_focal is None else [log_focal]
+    found = []
+    for sign in (1.0, -1.0):
+        D = np.column_stack([np.append(d, sign * x) for d, x in zip((d1, d2, d3), t, strict=True)])
+        found += [(_nearest_rotation(D / np.linalg.norm(D, axis=0)), g) for g in guesses]
+    return found
+
+
+def _nearest_rotation(D: Array) -> Array:
+    U, _, Vt = np.linalg.svd(D)
+    R: Array = U @ Vt
+    if np.linalg.det(R) < 0:
+        # An axis' sign is free: turn the third round.
+        R = R @ np.diag([1.0, 1.0, -1.0])
+    return R
+
+
+def _grid(
+    lines: Array, weights: Array, axes: Array, fixed: float | None
+) -> list[tuple[Array, float]]:
+    """The best few of a fixed set of views, for drawings that the formula does not read."""
+    focals = np.log([0.8, 1.5, 4.0]) if fixed is None else np.array([fixed])
+    scored = []
+    for log_focal in focals:
+        N, _ = _normals(lines, float(log_focal))
+        r = np.zeros((len(_VIEWS), len(lines)))
+        for k in range(3):
+            on_axis = axes == k
+            r[:, on_axis] = _VIEWS[:, :, k] @ N[on_axis].T
+        cost = ((r * weights) ** 2).sum(axis=1)
+        scored += [(float(cost[i]), int(i), float(log_focal)) for i in np.argsort(cost)[:4]]
+    scored.sort()
+    return [(_VIEWS[i], log_focal) for _, i, log_focal in scored[:6]]
+
+
+def _fixed_views() -> Array:
+    """Rotations spread over all views, about 20 degrees apart (modulo the axes' signs)."""
+    rotations = Rotation.random(500, random_state=7).as_matrix()
+    return np.asarray(rotations, dtype=float)
+
+
+_VIEWS = _fixed_views()
+
+
+def lift_linear(problem: Problem, R: Array, log_focal: float, pull: float) -> Array:
+    """All shared coordinates from a known camera, by one linear least-squares problem.
+
+    Each vertex c_i, in object axes with the eye at the origin, lies on its ray r_i: c_i x r_i = 0.
+    A weak pull of every depth towards 1 sets the scale and places parts that float.
+
+    Returns
+    -------
+    (g,) array
+        The shared coordinates, in units of the mean depth.
+    """
+    rays = _rays(problem, log_focal) @ R
+    coordinate = problem.structure.coordinate
+    m = problem.structure.n_coordinates
+    A = np.zeros((m, m))
+    P = np.eye(3) - rays[:, :, None] * rays[:, None, :]
+    # |c x r|^2 = c^T (I - r r^T) c
+    for a in range(3):
+        for b in range(3):
+            np.add.at(A, (coordinate[:, a], coordinate[:, b]), P[:, a, b])
+    b_vector = np.zeros(m)
+    forward = R[2]
+    for a in range(3):
+        np.add.at(b_vector, coordinate[:, a], np.full(len(coordinate), pull**2 * forward[a]))
+        for b in range(3):
+            term = np.full(len(coordinate), pull**2 * forward[a] * forward[b])
+            np.add.at(A, (coordinate[:, a], coordinate[:, b]), term)
+    A[np.diag_indices(m)] += 1e-14
+    g: Array = np.linalg.solve(A, b_vector)
+    depth = g[coordinate] @ forward
+    mean = float(np.mean(np.abs(depth))) if len(depth) else 1.0
+    return g / mean if mean > 1e-12 else g
+
+
+def _rays(problem: Problem, log_focal: float) -> Array:
+    """Unit rays in the camera frame, (n, 3)."""
+    f = np.exp(log_focal)
+    rays = np.hstack([problem.points / f, np.ones((len(problem.points), 1))])
+    return np.asarray(rays / np.linalg.norm(rays, axis=1, keepdims=True))

@@ -1,0 +1,260 @@
+"""The Modified Lipson solve ([Lau10] 4.2), in the order of the paper.
+
+1. the annotations reduce the unknowns (structure);
+2. an initial step finds an approximate shape and camera (initial);
+3. the full step follows the drawing as well as the annotations allow (full);
+4. the shape is put on the ground and given its size (world);
+5. what is left open or disagrees is told (diagnosis).
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from .camera import Camera
+from .diagnosis import (
+    Freedoms,
+    clashing_annotations,
+    freedoms,
+    size_of,
+    unmet_annotations,
+)
+from .faces import find_faces
+from .full import EXIF_LOG_SIGMA, FocalPrior, FullProblem, Pose
+from .graph import Face, SketchGraph
+from .initial import USUAL_LOG_FOCAL, Start, lift_linear, starts
+from .least_squares import Minimum, minimise
+from .problem import Problem, build_problem
+from .residuals import annotation_residuals
+from .solution import Report, Solution, Status
+from .structure import Structure, build_structure
+from .values import Array
+from .world import Placement, camera_above_ground, place
+
+#: Views that are carried on to the full step.
+MAX_STARTS = 4
+#: A log focal length less certain than this counts as not determined by the sketch.
+UNSURE_FOCAL_SIGMA = 0.3
+USUAL_FOCAL_SIGMA = 0.3
+#: A drawing further than this from every shape (image units, RMS) was not understood.
+LOST_MISFIT = 0.25
+
+Stop = Callable[[], bool]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Lifted:
+    """A candidate after the full step."""
+
+    problem: Problem
+    full: FullProblem
+    minimum: Minimum[Pose]
+    above: bool
+
+
+def solve(graph: SketchGraph, *, stop: Stop | None = None) -> Solution:
+    """Lift a sketch graph to 3D and find the camera.
+
+    Parameters
+    ----------
+    graph : SketchGraph
+    stop : callable, optional
+        Asked now and then; True ends the solve with what there is (status ``not_converged``).
+
+    Returns
+    -------
+    Solution
+        Always; how it went is told by its status and message.
+    """
+    began = time.perf_counter()
+    solution = _solve(graph, stop)
+    elapsed = (time.perf_counter() - began) * 1e3
+    return replace(solution, report=replace(solution.report, solve_ms=elapsed))
+
+
+def _solve(graph: SketchGraph, stop: Stop | None) -> Solution:
+    nothing = _nothing_to_lift(graph)
+    if nothing is not None:
+        return Solution(graph.digest, Status.UNDERDETERMINED, nothing)
+    structure = build_structure(graph)
+    if structure.contradiction:
+        return _clash(graph)
+    lifted = _lift(graph, structure, stop)
+    if lifted is None:
+        return Solution(
+            graph.digest,
+            Status.NOT_CONVERGED,
+            "No 3D shape fits this drawing; check the annotations against it.",
+        )
+    return _describe(graph, lifted)
+
+
+def _nothing_to_lift(graph: SketchGraph) -> str | None:
+    if graph.circles or graph.revolutions:
+        return "Circles are not lifted yet; this version solves straight edges only."
+    if not graph.edges:
+        return "The sketch has no edges: draw the object's edges over the photo."
+    pixels = np.array(list(graph.vertices.values()))
+    spread = np.linalg.svd(pixels - pixels.mean(axis=0), compute_uv=False)
+    if len(pixels) < 3 or spread[1] <= 1e-6 * max(float(spread[0]), 1e-300):
+        return "All vertices lie on one line: draw edges in at least two directions."
+    return None
+
+
+def _clash(graph: SketchGraph) -> Solution:
+    conflicts = clashing_annotations(graph)
+    return Solution(
+        graph.digest,
+        Status.CONFLICTING,
+        f"{_and(conflicts)} cannot all hold: take one of them away.",
+        report=Report(conflicts=conflicts),
+    )
+
+
+def _lift(graph: SketchGraph, structure: Structure, stop: Stop | None) -> _Lifted | None:
+    """Both steps; where the drawing does not tell the focal length, a usual one is assumed."""
+    problem = build_problem(graph, structure)
+    known = problem.log_focal_prior
+    prior = None if known is None else FocalPrior(known, EXIF_LOG_SIGMA)
+    best = _best(graph, problem, prior, stop)
+    if prior is None and (best is None or _focal_sigma(best) > UNSURE_FOCAL_SIGMA):
+        usual = replace(problem, log_focal_prior=USUAL_LOG_FOCAL)
+        assumed = _best(graph, usual, FocalPrior(USUAL_LOG_FOCAL, USUAL_FOCAL_SIGMA), stop)
+        best = assumed or best
+    return best
+
+
+def _focal_sigma(lifted: _Lifted) -> float:
+    return freedoms(lifted.full, lifted.minimum.x, _indices(lifted)).focal_sigma
+
+
+def _indices(lifted: _Lifted) -> list[str]:
+    return [str(i) for i in range(len(lifted.problem.points))]
+
+
+def _best(
+    graph: SketchGraph, problem: Problem, prior: FocalPrior | None, stop: Stop | None
+) -> _Lifted | None:
+    """The reading seen from above that fits the drawing best."""
+    found = []
+    full = FullProblem(problem, prior)
+    for start in _views(problem)[:MAX_STARTS]:
+        pose = _initial_pose(problem, start)
+        if pose is None:
+            continue
+        minimum = minimise(full, pose, stop=stop)
+        if not np.isfinite(minimum.cost):
+            continue
+        above = camera_above_ground(graph, problem, minimum.x)
+        found.append(_Lifted(problem, full, minimum, above))
+    if not found:
+        return None
+    best = min(found, key=lambda c: (not c.above, c.minimum.cost))
+    pose = full.restore(best.minimum.x)
+    return replace(best, minimum=replace(best.minimum, x=pose))
+
+
+def _views(problem: Problem) -> list[Start]:
+    if problem.structure.has_axes:
+        return starts(problem)
+    known = problem.log_focal_prior
+    return [Start(np.eye(3), USUAL_LOG_FOCAL if known is None else known, 0.0)]
+
+
+def _initial_pose(problem: Problem, start: Start) -> Pose | None:
+    """The linear lift, with a stronger pull to equal depths where vertices fell behind the eye."""
+    for pull in (1e-3, 1e-2, 1e-1, 1.0):
+        g = lift_linear(problem, start.R, start.log_focal, pull)
+        depth = g[problem.structure.coordinate] @ start.R[2]
+        if bool(np.isfinite(g).all()) and float(depth.min()) > 1e-3 * float(np.abs(depth).mean()):
+            return Pose(start.R, start.log_focal, g)
+    return None
+
+
+def _describe(graph: SketchGraph, lifted: _Lifted) -> Solution:
+    pose, problem = lifted.minimum.x, lifted.problem
+    names = list(graph.vertices)
+    placement = place(graph, problem, pose)
+    positions = placement.to_world(lifted.full.positions(pose))
+    vertices = dict(zip(names, positions, strict=True))
+    camera = _camera(graph, problem, pose, placement.rotation_world_from_object, placement)
+    faces = _faces(graph, vertices)
+    residuals = annotation_residuals(graph, vertices, faces)
+    frame_freedoms = 0 if problem.structure.has_axes else 3
+    open_ = freedoms(lifted.full, pose, names, frame_freedoms)
+    conflicts = unmet_annotations(residuals, size_of(positions))
+    offsets = camera.project(positions) - np.array(list(graph.vertices.values()))
+    reprojection = dict(zip(names, np.linalg.norm(offsets, axis=1).tolist(), strict=True))
+    status, message = _verdict(lifted, open_, conflicts)
+    return Solution(
+        graph.digest,
+        status,
+        message,
+        vertices,
+        dict(graph.edges),
+        faces,
+        {},
+        camera,
+        placement.scale_assumed,
+        Report(
+            degrees_of_freedom=open_.count,
+            loose=open_.loose,
+            residuals=residuals,
+            reprojection_px=reprojection,
+            conflicts=conflicts,
+            iterations=lifted.minimum.iterations,
+        ),
+    )
+
+
+def _faces(graph: SketchGraph, vertices: dict[str, Array]) -> dict[str, Face]:
+    if graph.faces is not None:
+        return dict(graph.faces)
+    traced = set(graph.construction)
+    return find_faces(vertices, {e: ends for e, ends in graph.edges.items() if e not in traced})
+
+
+def _camera(
+    graph: SketchGraph, problem: Problem, pose: Pose, world_from_object: Array, placement: Placement
+) -> Camera:
+    rotation = pose.R @ world_from_object.T
+    return Camera(
+        focal_px=float(np.exp(pose.log_focal)) * problem.px_per_unit,
+        principal_point_px=np.array(graph.principal_point_px),
+        rotation_cam_from_world=rotation,
+        translation_cam_from_world_mm=-rotation @ placement.translation_mm,
+    )
+
+
+def _verdict(lifted: _Lifted, open_: Freedoms, conflicts: tuple[str, ...]) -> tuple[Status, str]:
+    if conflicts:
+        return (
+            Status.CONFLICTING,
+            f"{_and(conflicts[:4])} cannot hold together with the rest: check the worst first.",
+        )
+    if open_.count:
+        s = "" if open_.count == 1 else "s"
+        return (
+            Status.UNDERDETERMINED,
+            f"{open_.count} freedom{s} left: add a right angle, parallel or ground vertex "
+            f"at {_and(open_.loose[:4])}.",
+        )
+    misfit = float(np.sqrt(lifted.minimum.cost / max(1, len(lifted.problem.points))))
+    if not lifted.minimum.converged or misfit > LOST_MISFIT:
+        return (
+            Status.NOT_CONVERGED,
+            "The drawing and the annotations are too far apart: check the annotations.",
+        )
+    if not lifted.above:
+        return (Status.CONVERGED, "Solved, but seen from below: check the ground vertices.")
+    return (Status.CONVERGED, "Solved.")
+
+
+def _and(ids: tuple[str, ...]) -> str:
+    if len(ids) < 2:
+        return "".join(ids)
+    return f"{', '.join(ids[:-1])} and {ids[-1]}"

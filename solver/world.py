@@ -1,0 +1,135 @@
+"""From object axes to the world, and the gauge said aloud.
+
+The drawing and the annotations leave the world's frame open; it is chosen so:
+
+- z is up and the ground is z = 0; without ground vertices the lowest vertex is at z = 0;
+- x runs along the horizontal object axis that points most to the right in the photo, y away from
+  the camera;
+- the smallest x and the smallest y of the vertices are 0;
+- the size follows from the first length; without one the longest edge is 100 mm.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .annotations import Ground, Length
+from .full import Pose
+from .graph import SketchGraph
+from .problem import Problem
+from .values import Array
+
+ASSUMED_LONGEST_MM = 100.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Placement:
+    """The move from object axes (eye at the origin) to the world.
+
+    ``x_world = scale * rotation_world_from_object @ c + translation_mm``
+    """
+
+    rotation_world_from_object: Array
+    scale: float
+    translation_mm: Array
+    scale_assumed: bool
+
+    def to_world(self, c: Array) -> Array:
+        """World positions (n, 3), mm."""
+        return np.asarray(
+            self.scale * (c @ self.rotation_world_from_object.T) + self.translation_mm
+        )
+
+
+def up_direction(graph: SketchGraph, problem: Problem, pose: Pose) -> Array:
+    """The upward direction in object axes, (3,).
+
+    Square to the ground, towards the rest of the object (for a flat object, towards the camera);
+    without ground vertices the object axis that points most upwards in the photo.
+    """
+    c = pose.g[problem.structure.coordinate]
+    ground = ground_indices(graph)
+    vertical = problem.structure.vertical
+    if vertical is None and len(ground) < 3:
+        return _most_upright(problem, pose)
+    if vertical is not None:
+        normal = np.eye(3)[vertical]
+    else:
+        middle = c[ground].mean(axis=0)
+        normal = np.linalg.svd(c[ground] - middle)[2][2]
+    height = (c - c[ground].mean(axis=0)) @ normal
+    mean = float(height.mean())
+    if abs(mean) <= 1e-9 * float(np.abs(c).max(initial=0.0)):
+        mean = float(-(c[ground].mean(axis=0) @ normal))
+    return np.asarray(normal if mean >= 0 else -normal)
+
+
+def _most_upright(problem: Problem, pose: Pose) -> Array:
+    if not problem.structure.has_axes:
+        return np.asarray(pose.R.T @ np.array([0.0, -1.0, 0.0]))
+    k = int(np.argmax(np.abs(pose.R[1])))
+    return np.asarray(np.eye(3)[k] * -np.sign(pose.R[1, k]))
+
+
+def camera_above_ground(graph: SketchGraph, problem: Problem, pose: Pose) -> bool:
+    """Whether the camera looks at the object from above, as people take photos."""
+    up = up_direction(graph, problem, pose)
+    ground = ground_indices(graph)
+    if len(ground) and (problem.structure.vertical is not None or len(ground) >= 3):
+        c = pose.g[problem.structure.coordinate]
+        return float(-(c[ground].mean(axis=0) @ up)) > 0
+    return float(pose.R[2] @ up) < 0
+
+
+def ground_indices(graph: SketchGraph) -> list[int]:
+    """Indices of the annotated ground vertices."""
+    index = {v: i for i, v in enumerate(graph.vertices)}
+    said = {v for a in graph.annotations.values() if isinstance(a, Ground) for v in a.vertices}
+    return sorted(index[v] for v in said)
+
+
+def place(graph: SketchGraph, problem: Problem, pose: Pose) -> Placement:
+    """Choose the world's frame and size."""
+    c = pose.g[problem.structure.coordinate]
+    W = _axes(problem, pose, up_direction(graph, problem, pose))
+    scale, assumed = _scale(graph, problem, c)
+    turned = scale * (c @ W.T)
+    lowest = turned.min(axis=0) if len(turned) else np.zeros(3)
+    ground = ground_indices(graph)
+    if ground:
+        lowest[2] = float(turned[ground, 2].mean())
+    return Placement(W, scale, -lowest, assumed)
+
+
+def _axes(problem: Problem, pose: Pose, up: Array) -> Array:
+    """Rows: the world's x, y, z in object axes."""
+    right = pose.R[0]
+    if problem.structure.has_axes:
+        options = [s * np.eye(3)[k] for k in range(3) for s in (1.0, -1.0)]
+        options = [o for o in options if abs(float(o @ up)) < 0.5]
+        x = max(options, key=lambda o: float(o @ right))
+    else:
+        x = right
+    x = x - (x @ up) * up
+    x = x / np.linalg.norm(x)
+    y = np.cross(up, x)
+    return np.array([x, y, up])
+
+
+def _scale(graph: SketchGraph, problem: Problem, c: Array) -> tuple[float, bool]:
+    found = np.linalg.norm(c[problem.ends[:, 1]] - c[problem.ends[:, 0]], axis=1)
+    index = {e: i for i, e in enumerate(graph.edges)}
+    given = [
+        (found[index[a.edge]], a.length_mm)
+        for a in graph.annotations.values()
+        if isinstance(a, Length)
+    ]
+    if given:
+        drawn, wanted = np.array(given).T
+        weight = drawn / wanted
+        # Exact for one length or lengths in proportion, a fair mean for others.
+        return float(np.sum(weight) / np.sum(weight**2)), False
+    longest = float(found.max(initial=0.0))
+    return (ASSUMED_LONGEST_MM / longest if longest > 0 else 1.0), True

@@ -7,5 +7,14 @@ a Single Photo, 2010.
 from .errors import SketchError
 from .serialise import load_sketch, load_solution, save_sketch, save_solution
 from .two_step import solve
+from .validation import findings
 
-__all__ = ["SketchError", "load_sketch", "load_solution", "save_sketch", "save_solution", "solve"]
+__all__ = [
+    "SketchError",
+    "findings",
+    "load_sketch",
+    "load_solution",
+    "save_sketch",
+    "save_solution",
+    "solve",
+]

@@ -53,8 +53,10 @@ def freedoms(full: FullProblem, x: Pose, names: list[str], frozen: int = 0) -> F
     # Constraints weigh as much as the drawing: only whether they act matters here.
     stacked = np.vstack([at.J, at.H, at.G])
     scale = np.maximum(np.linalg.norm(stacked, axis=0), 1e-12)
-    _, s, Vt = np.linalg.svd(stacked / scale)
-    s = np.append(s, np.zeros(len(Vt) - len(s)))
+    stacked = np.vstack(
+        [stacked / scale, np.zeros((max(0, -np.subtract(*stacked.shape)), len(scale)))]
+    )
+    _, s, Vt = np.linalg.svd(stacked, full_matrices=False)
     null = Vt[s <= NULL_TOLERANCE * max(float(s[0]), 1e-300)] / scale
     count = max(0, len(null) - frozen)
     loose: tuple[str, ...] = ()

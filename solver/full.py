@@ -122,7 +122,8 @@ class FullProblem:
         J = np.zeros((2 * n, 4 + self.m))
         # d x_cam / d omega = -[x_cam]x, so that a row d becomes x_cam x d.
         J[:, :3] = np.cross(in_cam[:, None, :], D).reshape(-1, 3)
-        J[:, 3] = (projected * self.problem.weights[:, None]).reshape(-1)
+        if not self._focal_at_limit(x, projected):
+            J[:, 3] = (projected * self.problem.weights[:, None]).reshape(-1)
         by_axis = (D @ x.R).reshape(-1, 3)
         rows = np.arange(2 * n)
         for k in range(3):
@@ -132,6 +133,12 @@ class FullProblem:
             prior_row[0, 3] = DRAWING_SIGMA / self.prior.sigma
             J = np.vstack([J, prior_row])
         return self._residual(x), J
+
+    def _focal_at_limit(self, x: Pose, projected: Array) -> bool:
+        """Whether the drawing pulls the focal length beyond what cameras have."""
+        pull = float(np.sum((self.problem.points - projected) * projected))
+        low, high = LOG_FOCAL_RANGE
+        return (x.log_focal >= high and pull > 0) or (x.log_focal <= low and pull < 0)
 
     def _constraints(self, x: Pose) -> tuple[Array, Array]:
         positions = self.positions(x)
@@ -147,17 +154,19 @@ class FullProblem:
         return np.concatenate(residuals), np.vstack(jacobians)
 
     def restore(self, x: Pose) -> Pose:
-        """Move the coordinates onto h = 0: dg = -H^T (H H^T + delta I)^-1 h."""
+        """Move the coordinates onto h = 0: dg = -H^T (H H^T)^+ h."""
+        if not self.problem.blocks:
+            return x
+        h, H = self._constraints(x)
+        worst = float(np.abs(h).max(initial=0.0))
         for _ in range(8):
-            h, H = self._constraints(x)
-            worst = float(np.abs(h).max(initial=0.0))
             if worst < 1e-15:
                 break
-            H = H[:, 4:]
-            dg = -np.linalg.lstsq(H, h, rcond=1e-10)[0]
+            dg = -np.linalg.lstsq(H[:, 4:], h, rcond=1e-9)[0]
             moved = Pose(x.R, x.log_focal, x.g + dg)
-            after = float(np.abs(self._constraints(moved)[0]).max(initial=0.0))
+            h, H = self._constraints(moved)
+            after = float(np.abs(h).max(initial=0.0))
             if not after < worst:
                 break
-            x = moved
+            x, worst = moved, after
         return x

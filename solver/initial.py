@@ -18,15 +18,19 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from .problem import Problem
+from .structure import IntArray
 from .values import Array
 
 #: Focal lengths beyond these, in image units, are no camera a person holds.
 LOG_FOCAL_RANGE = (float(np.log(0.4)), float(np.log(40.0)))
 #: Where the formula's view fits the lines to this angle (rad, RMS), no further views are tried.
 GOOD_MISFIT = 0.02
+#: Log focal lengths to begin with: wide, usual, tele.
+FOCAL_GUESSES = (float(np.log(1.5)), float(np.log(0.9)), float(np.log(3.5)))
 #: A usual phone camera, 26 mm equivalent, where nothing tells the focal length.
 USUAL_LOG_FOCAL = float(np.log(1.45))
 
@@ -47,6 +51,10 @@ def starts(problem: Problem) -> list[Start]:
     lines, weights = _lines(problem, along)
     axes = axis[along]
     fixed = problem.log_focal_prior
+    if fixed is None and len(set(axes.tolist())) < 3:
+        # Two directions tell little of the focal length: the full step finds it, from several.
+        views = [_views_at(lines, weights, axes, float(f))[:2] for f in FOCAL_GUESSES]
+        return [start for pair in zip(*views, strict=False) for start in pair]
     found = _refine_all(lines, weights, axes, _from_mean_directions(problem), fixed)
     total = float(np.sum(weights**2))
     if not found or found[0].misfit > GOOD_MISFIT**2 * total:
@@ -55,10 +63,16 @@ def starts(problem: Problem) -> list[Start]:
     return found
 
 
+def _views_at(lines: Array, weights: Array, axes: IntArray, log_focal: float) -> list[Start]:
+    """Views for one focal length."""
+    grid = _grid(lines, weights, axes, log_focal)
+    return _refine_all(lines, weights, axes, grid, log_focal)
+
+
 def _refine_all(
     lines: Array,
     weights: Array,
-    axes: Array,
+    axes: IntArray,
     candidates: list[tuple[Array, float]],
     fixed: float | None,
 ) -> list[Start]:
@@ -74,7 +88,7 @@ def _distinct(found: list[Start]) -> list[Start]:
     return kept
 
 
-def _lines(problem: Problem, chosen: Array) -> tuple[Array, Array]:
+def _lines(problem: Problem, chosen: NDArray[np.bool_]) -> tuple[Array, Array]:
     """Homogeneous lines (k, 3) and drawn lengths as weights (k,)."""
     p, q = problem.points[problem.ends[chosen, 0]], problem.points[problem.ends[chosen, 1]]
     ones = np.ones((len(p), 1))
@@ -93,7 +107,7 @@ def _normals(lines: Array, log_focal: float) -> tuple[Array, Array]:
 
 
 def _refine(
-    lines: Array, weights: Array, axes: Array, R: Array, log_focal: float, fixed: float | None
+    lines: Array, weights: Array, axes: IntArray, R: Array, log_focal: float, fixed: float | None
 ) -> Start:
     """Levenberg-Marquardt on r_e = w_e N_e . D_e over rotation and log focal length."""
     damping = 1e-3
@@ -126,7 +140,7 @@ def _refine(
     return Start(R, log_focal, cost)
 
 
-def _misfit(lines: Array, weights: Array, axes: Array, R: Array, log_focal: float) -> float:
+def _misfit(lines: Array, weights: Array, axes: IntArray, R: Array, log_focal: float) -> float:
     N, _ = _normals(lines, log_focal)
     return float(np.sum((weights * np.einsum("ij,ij->i", N, R[:, axes].T)) ** 2))
 
@@ -177,10 +191,10 @@ def _nearest_rotation(D: Array) -> Array:
 
 
 def _grid(
-    lines: Array, weights: Array, axes: Array, fixed: float | None
+    lines: Array, weights: Array, axes: IntArray, fixed: float | None
 ) -> list[tuple[Array, float]]:
     """The best few of a fixed set of views, for drawings that the formula does not read."""
-    focals = np.log([0.8, 1.5, 4.0]) if fixed is None else np.array([fixed])
+    focals = FOCAL_GUESSES if fixed is None else (fixed,)
     scored = []
     for log_focal in focals:
         N, _ = _normals(lines, float(log_focal))
@@ -231,7 +245,7 @@ def lift_linear(problem: Problem, R: Array, log_focal: float, pull: float) -> Ar
             term = np.full(len(coordinate), pull**2 * forward[a] * forward[b])
             np.add.at(A, (coordinate[:, a], coordinate[:, b]), term)
     A[np.diag_indices(m)] += 1e-14
-    g: Array = np.linalg.solve(A, b_vector)
+    g = np.asarray(np.linalg.solve(A, b_vector), dtype=np.float64)
     depth = g[coordinate] @ forward
     mean = float(np.mean(np.abs(depth))) if len(depth) else 1.0
     return g / mean if mean > 1e-12 else g

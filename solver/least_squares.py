@@ -24,7 +24,9 @@ from .values import Array
 
 X = TypeVar("X")
 
-PENALTIES = (1e0, 1e2, 1e4, 1e6, 1e8)
+#: The rising weights on the way, and the weight with which constraints are held at the end.
+PENALTIES = (1e0, 1e2, 1e4)
+LAST_PENALTY = 1e9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -53,6 +55,9 @@ class Objective(Protocol[X]):
 
     def merit(self, x: X, rho: float) -> float:
         """|r|^2 + rho |h|^2 without derivatives."""
+
+    def restore(self, x: X) -> X:
+        """The nearest point where h = 0, or as near to 0 as can be."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -90,48 +95,61 @@ def minimise(
     iterations = 0
     converged = False
     constrained = objective.evaluate(x).h.size > 0
-    for rho in PENALTIES if constrained else PENALTIES[:1]:
-        last = rho == PENALTIES[-1] or not constrained
-        budget = max_iterations - iterations if last else 6
-        x, used, converged = _minimise_at(objective, x, rho, min(budget, 40), last, stop)
+    for rho in PENALTIES if constrained else ():
+        x, used, _ = _descend(objective, x, _Phase(rho, 6, 1e-4, False), stop)
         iterations += used
-        if iterations >= max_iterations or (stop is not None and stop()):
-            break
-    return Minimum(x, iterations, converged, objective.merit(x, 0.0))
+    budget = max(1, max_iterations - iterations)
+    x, used, converged = _descend(objective, x, _Phase(LAST_PENALTY, budget, 1e-15, True), stop)
+    return Minimum(x, iterations + used, converged, objective.merit(x, 0.0))
 
 
-def _minimise_at(
-    objective: Objective[X],
-    x: X,
-    rho: float,
-    budget: int,
-    last: bool,
-    stop: Callable[[], bool] | None,
+@dataclass(frozen=True, slots=True)
+class _Phase:
+    """One stretch of the descent.
+
+    In the last phase every point is put back onto h = 0 and judged by |r|^2 alone: judged by the
+    penalty, long steps along curved constraints would be refused (the Maratos effect).
+    """
+
+    rho: float
+    budget: int
+    enough: float
+    last: bool
+
+
+def _descend(
+    objective: Objective[X], x: X, phase: _Phase, stop: Callable[[], bool] | None
 ) -> tuple[X, int, bool]:
     """Levenberg-Marquardt at one penalty weight."""
     mu = 1e-8
+    rho = 0.0 if phase.last else phase.rho
+    if phase.last:
+        x = objective.restore(x)
     at = objective.evaluate(x)
-    cost = at.merit(rho)
-    for iteration in range(budget):
+    cost = objective.merit(x, rho)
+    for iteration in range(phase.budget):
         if stop is not None and stop():
             return x, iteration, False
-        step = _step(at, rho, mu)
+        step = _step(at, phase.rho, mu)
+        size = np.inf if step is None else float(np.abs(step).max(initial=0.0))
         moved = None if step is None else objective.retract(x, step)
+        if moved is not None and phase.last:
+            moved = objective.restore(moved)
         new_cost = np.inf if moved is None else objective.merit(moved, rho)
-        if moved is not None and step is not None and new_cost <= cost * (1 + 1e-14) + 1e-32:
-            gain, size = cost - new_cost, float(np.abs(step).max(initial=0.0))
+        if moved is not None and new_cost <= cost * (1 + 1e-14) + 1e-32:
+            gain = cost - new_cost
             x, cost = moved, new_cost
             at = objective.evaluate(x)
             mu = max(mu / 10, 1e-12)
-            if size < 1e-13 or gain <= (1e-15 if last else 1e-4) * cost:
+            if size < 1e-12 or gain <= phase.enough * cost:
                 return x, iteration + 1, True
         else:
-            if step is not None and float(np.abs(step).max(initial=0.0)) < 1e-11:
+            if size < 1e-9:
                 return x, iteration + 1, True
             mu = max(mu * 10, 1e-6)
             if mu > 1e8:
                 return x, iteration + 1, False
-    return x, budget, False
+    return x, phase.budget, False
 
 
 def _step(at: Evaluation, rho: float, mu: float) -> Array | None:

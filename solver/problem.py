@@ -141,9 +141,9 @@ def leftover_constraints(graph: SketchGraph, structure: Structure) -> tuple[Bloc
         found.setdefault(name, []).append((items, owner, wanted))
     blocks = []
     for name, entries in found.items():
-        items, owners, wanted_lengths = zip(*entries, strict=True)
-        wanted = np.array(wanted_lengths) if name == "length_ratio" else None
-        blocks.append(Block(name, np.array(items, dtype=np.int64), tuple(owners), wanted))
+        items, owners, lengths = zip(*entries, strict=True)
+        ratios = np.array(lengths, dtype=float) if name == "length_ratio" else None
+        blocks.append(Block(name, np.array(items, dtype=np.int64), tuple(owners), ratios))
     return tuple(blocks)
 
 

@@ -111,8 +111,8 @@ def _choose_axes(graph: SketchGraph, directions: Directions) -> tuple[int, ...]:
     perp = directions.perpendicular
     for a in sorted(perp):
         for b in sorted(c for c in perp[a] if c > a):
-            for c in [None, *sorted(c for c in perp[a] & perp[b] if c > b)]:
-                axes = (a, b) if c is None else (a, b, c)
+            thirds = sorted(c for c in perp[a] & perp[b] if c > b)
+            for axes in [(a, b), *((a, b, c) for c in thirds)]:
                 score = (len(axes), sum(drawn[i] for i in axes))
                 if score > best_score:
                     best, best_score = axes, score
@@ -178,8 +178,8 @@ def _share_coordinates(
     index = {v: i for i, v in enumerate(graph.vertices)}
     sets = UnionFind(3 * len(index))
     for across, (v, w) in zip(edge_across, graph.edges.values(), strict=True):
-        for k in np.flatnonzero(across):
-            sets.union(3 * index[v] + int(k), 3 * index[w] + int(k))
+        for axis in np.flatnonzero(across).tolist():
+            sets.union(3 * index[v] + axis, 3 * index[w] + axis)
     if vertical is not None:
         _share(sets, [3 * index[v] + vertical for v in _ground_vertices(said)])
     touching: dict[str, list[str]] = {}

@@ -36,7 +36,7 @@ from .values import Array
 from .world import Placement, camera_above_ground, place
 
 #: Views that are carried on to the full step.
-MAX_STARTS = 4
+MAX_STARTS = 6
 #: A log focal length less certain than this counts as not determined by the sketch.
 UNSURE_FOCAL_SIGMA = 0.3
 USUAL_FOCAL_SIGMA = 0.3
@@ -153,9 +153,7 @@ def _best(
         found.append(_Lifted(problem, full, minimum, above))
     if not found:
         return None
-    best = min(found, key=lambda c: (not c.above, c.minimum.cost))
-    pose = full.restore(best.minimum.x)
-    return replace(best, minimum=replace(best.minimum, x=pose))
+    return min(found, key=lambda c: (not c.above, c.minimum.cost))
 
 
 def _views(problem: Problem) -> list[Start]:

@@ -170,9 +170,7 @@ def hexagonal_box() -> Shape:
 def table() -> Shape:
     """A slab on four legs over a lower slab, a drawer's front: 52 vertices, parts touching."""
     parts = [(0, 600, 0, 400, 300, 320)]
-    parts += [
-        (x, x + 40, y, y + 40, 0, 300) for x in (20, 540) for y in (20, 340)
-    ]
+    parts += [(x, x + 40, y, y + 40, 0, 300) for x in (20, 540) for y in (20, 340)]
     parts += [(60, 540, 60, 340, 80, 95)]
     X, loops = [], []
     for x0, x1, y0, y1, z0, z1 in parts:
@@ -184,7 +182,7 @@ def table() -> Shape:
     loops.append(tuple(range(base, base + 4)))
     shape = from_loops("table", X, loops)
     edge = {pair: f"e{k}" for k, pair in enumerate(shape.edges)}
-    along = [tuple(edge[8 * p, 8 * p + 1] for p in range(6)) + (edge[48, 49],)]
+    along = [(*(edge[8 * p, 8 * p + 1] for p in range(6)), edge[48, 49])]
     along.append(tuple(edge[8 * p + 1, 8 * p + 2] for p in range(6)))
     more: dict[str, Annotation] = {f"par{k}": Parallel(e) for k, e in enumerate(along)}
     faces = {f"f{k}": Face(tuple(map(v, loop))) for k, loop in enumerate(shape.loops)}
@@ -220,7 +218,9 @@ class Photograph:
         D = np.diag([1, 1, np.sign(np.linalg.det(U @ Vt))])
         scale = np.trace(np.diag(s) @ D) / np.sum(A**2)
         diameter = np.linalg.norm(B[:, None] - B[None], axis=2).max()
-        return float(np.sqrt(np.mean(np.sum((scale * A @ (U @ D @ Vt) - B) ** 2, axis=1)))) / diameter
+        return (
+            float(np.sqrt(np.mean(np.sum((scale * A @ (U @ D @ Vt) - B) ** 2, axis=1)))) / diameter
+        )
 
 
 def photograph(
@@ -241,7 +241,11 @@ def photograph(
     focal = WIDTH / 2 / np.tan(np.radians(rng.uniform(*fov_deg)) / 2)
     middle = (shape.X.min(axis=0) + shape.X.max(axis=0)) / 2
     back = np.array(
-        [np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)]
+        [
+            np.cos(elevation) * np.cos(azimuth),
+            np.cos(elevation) * np.sin(azimuth),
+            np.sin(elevation),
+        ]
     )
     right = np.cross([0, 0, 1.0], back)
     right /= np.linalg.norm(right)

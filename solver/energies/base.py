@@ -41,7 +41,7 @@ def unit_vectors(u: Array) -> tuple[Array, Array]:
 def perpendicular_part(direction: Array, vector: Array) -> Array:
     """The part of each vector that is perpendicular to the direction, (k, 3)."""
     along = np.einsum("ij,ij->i", direction, vector)
-    return vector - along[:, None] * direction
+    return np.asarray(vector - along[:, None] * direction)
 
 
 def gather(residual: Array, terms: list[tuple[IntArray, IntArray, Array]]) -> Linearised:

@@ -157,7 +157,8 @@ def _close_plane(relations: _Relations, plane: tuple[int, ...]) -> None:
     if len(classes) < 2:
         return
     for third in classes:
-        across = [c for c in classes if c in relations.perp[third]]
+        # Merging renames classes: look each up again.
+        across = [c for c in classes if relations.are_perpendicular(third, c)]
         for other in across[1:]:
             relations.merge(across[0], other)
     classes = sorted({relations.sets.find(e) for e in plane})

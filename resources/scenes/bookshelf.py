@@ -3,9 +3,9 @@
     blender -b -noaudio --python resources/scenes/bookshelf.py -- OUT.jpg [--samples N] [--width W]
         [--truth truth.json]
 
-Everything is procedural and seeded.  Lengths are millimetres (made metres once, in common.metres).  World
-frame: z up, the table top at z = 0, x along the row of books, y to the back; the row's box starts at the
-origin and its spines face -y.
+Everything is procedural and seeded.  Lengths are millimetres (made metres once, in common.metres).
+World frame: z up, the table top at z = 0, x along the row of books, y to the back; the row's box
+starts at the origin and its spines face -y.
 """
 
 import random
@@ -14,15 +14,17 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-import common  # noqa: E402
-import materials  # noqa: E402
-import props  # noqa: E402
+import common
+import materials
+import props
 
 WIDE, DEEP, HIGH = 200.0, 178.0, 240.0  # the row of books
 VOLUMES = 6
 WALL_Y = 560.0
 
-CAMERA = common.Camera(target=(108.0, 85.0, 147.0), distance=960.0, turn=34.0, elevation=27.0, view=52.0)
+CAMERA = common.Camera(
+    target=(108.0, 85.0, 147.0), distance=960.0, turn=34.0, elevation=27.0, view=52.0
+)
 
 
 def build_room():
@@ -46,11 +48,11 @@ def build_books():
         thick = pitch - 0.6
         high = HIGH - (0.0 if outermost else chance.uniform(0.1, 0.9))
         yaw = chance.uniform(-0.08, 0.08) if outermost else chance.uniform(-0.28, 0.28)
-        back = 0.2 if outermost else chance.uniform(0.1, 0.8)
-        shift = {0: -0.2, VOLUMES - 1: 0.2}.get(volume, 0.0)
+        back = 0.05 if outermost else chance.uniform(0.1, 0.7)
+        shift = {0: -0.25, VOLUMES - 1: 0.25}.get(volume, 0.0)
         look = {"cover": book_cloth(volume, chance), "paper": paper, "band_cloth": headband}
         look |= {"gilt": gilt, "label": label, "marks": volume + 1}
-        book = props.hardback(thick, DEEP - 0.5, high, **look)
+        book = props.hardback(thick, DEEP - 0.1, high, **look)
         row += common.place(book, ((volume + 0.5) * pitch + shift, back, 0), yaw)
     check_size(row)
     return row
@@ -94,8 +96,10 @@ def build_other_things():
 
 def light_room():
     bars = materials.plain("window bars", (0.6, 0.6, 0.6))
-    common.add_window_light((-1450, -620, 1050), (50, 100, 100), (850, 1150), watts=92, glazing_bar=bars)
-    common.set_room_fill((1.0, 0.97, 0.93), 0.24)
+    common.add_window_light(
+        (-1450, -620, 1050), (50, 100, 100), (850, 1150), watts=92, glazing_bar=bars
+    )
+    common.set_room_fill((1.0, 0.97, 0.93), 0.27)
 
 
 def main():

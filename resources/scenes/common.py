@@ -1,7 +1,7 @@
 """Shared by the example scenes: command line, meshes, lights, camera, JPEG writing, ground truth.
 
-Runs inside Blender 3.4 or newer (its own Python), never inside FreeCAD.  All lengths handed to these
-functions are millimetres in the world frame z up; they become Blender's metres in one place only, `metres`.
+Runs inside Blender 3.4 (its own Python), never inside FreeCAD.  All lengths given to these
+functions are millimetres, z up; they become Blender's metres in one place only, `metres`.
 """
 
 import argparse
@@ -30,9 +30,9 @@ def parse_arguments(about):
     words = sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else []
     parser = argparse.ArgumentParser(description=about)
     parser.add_argument("out", type=Path, help="JPEG to write")
-    parser.add_argument("--samples", type=int, default=200, help="most samples a pixel gets")
-    parser.add_argument("--width", type=int, default=1600, help="width in pixels; the picture is 4:3")
-    parser.add_argument("--truth", type=Path, help="also write the true camera and sizes (JSON) here")
+    parser.add_argument("--samples", type=int, default=150, help="most samples a pixel gets")
+    parser.add_argument("--width", type=int, default=1600, help="pixels; the picture is 4:3")
+    parser.add_argument("--truth", type=Path, help="also write the true camera here (JSON)")
     return parser.parse_args(words)
 
 
@@ -44,7 +44,7 @@ def empty_scene():
     return scene
 
 
-# Meshes ---------------------------------------------------------------------------------------------
+# Meshes ------------------------------------------------------------------------------------------
 
 
 def add_mesh(name, vertices, faces, material, bevel=0.0, smooth_degrees=40):
@@ -119,7 +119,7 @@ def add_tube(name, path, radius, material):
 
 
 def place(things, at, turn_degrees=0.0, tip=None):
-    """Move things built about the origin to `at` (mm), first tipped (a matrix), then turned about z."""
+    """Move things to `at` (mm) from the origin, first tipped (a matrix), then turned about z."""
     where = Matrix.Translation(metres(at)) @ Matrix.Rotation(math.radians(turn_degrees), 4, "Z")
     if tip is not None:
         where = where @ tip
@@ -141,11 +141,11 @@ def bounds(things):
     return low, high
 
 
-# Light ----------------------------------------------------------------------------------------------
+# Light -------------------------------------------------------------------------------------------
 
 
-def add_window_light(at, towards, size, watts, glazing_bar, colour=(1.0, 0.98, 0.95), panes=(2, 3), bar=45):
-    """Daylight through a window `size` (mm) of panes parted by bars: soft, and a window in reflections."""
+def add_window_light(at, towards, size, watts, glazing_bar, panes=(2, 3), bar=45):
+    """Daylight through a window `size` (mm) of panes parted by bars: soft light."""
     back = (metres(at) - metres(towards)).normalized()
     frame = back.to_track_quat("Z", "Y").to_matrix().to_4x4()
     frame.translation = metres(at)
@@ -153,7 +153,7 @@ def add_window_light(at, towards, size, watts, glazing_bar, colour=(1.0, 0.98, 0
     daylight.shape = "RECTANGLE"
     daylight.size, daylight.size_y = metres(size[0]), metres(size[1])
     daylight.energy = watts
-    daylight.color = colour
+    daylight.color = (1.0, 0.98, 0.95)
     window = bpy.data.objects.new("window", daylight)
     bpy.context.scene.collection.objects.link(window)
     window.matrix_world = frame
@@ -176,15 +176,15 @@ def set_room_fill(colour, strength):
     bpy.context.scene.world = world
 
 
-# Camera ---------------------------------------------------------------------------------------------
+# Camera ------------------------------------------------------------------------------------------
 
 
 @dataclass
 class Camera:
     """An upright pinhole camera looking at `target` (mm) from `distance` mm away.
 
-    `turn` is how far it stands to the right of straight in front (looking along +y), `elevation` how far
-    above, both in degrees; `view` is the horizontal field of view in degrees.
+    `turn` is how far it stands to the right of straight in front (looking to +y), `elevation` how
+    far above, both in degrees; `view` is the horizontal field of view in degrees.
     """
 
     target: tuple
@@ -217,7 +217,7 @@ class Camera:
         bpy.context.scene.camera = thing
 
     def truth(self, width, height):
-        """x_cam = R @ x_world + t in mm, u = focal * x / z + cx; (0, 0) is the photo's top-left corner."""
+        """x_cam = R @ x_world + t in mm, u = focal * x / z + cx; (0, 0) is the top-left corner."""
         rotation = self.rotation()
         return {
             "image_size_px": [width, height],
@@ -228,11 +228,11 @@ class Camera:
         }
 
 
-# Output ---------------------------------------------------------------------------------------------
+# Output ------------------------------------------------------------------------------------------
 
 
 def box_corners(low, high):
-    """The eight corners of a box under names such as front_left_bottom (front is -y, left is -x)."""
+    """The eight corners of a box, named such as front_left_bottom (front is -y, left is -x)."""
     return {
         f"{depth}_{side}_{level}": [x, y, z]
         for level, z in (("bottom", low[2]), ("top", high[2]))
@@ -266,9 +266,22 @@ def render_jpeg(scene, out, width, samples, exposure=0.0, look="None", quality=9
     render = scene.render
     render.resolution_x, render.resolution_y = width, width * 3 // 4
     render.resolution_percentage = 100
-    for name in [p.identifier for p in render.bl_rna.properties if p.identifier.startswith("use_stamp")]:
-        setattr(render, name, False)
+    for setting in dir(render):
+        if setting.startswith("use_stamp"):
+            setattr(render, setting, False)
     render.image_settings.file_format = "JPEG"
     render.image_settings.quality = quality
     render.filepath = str(out.resolve())
     bpy.ops.render.render(write_still=True)
+    out.write_bytes(without_comments(out.read_bytes()))
+
+
+def without_comments(jpeg):
+    """The same JPEG without comment and EXIF segments: Blender notes its render times there."""
+    kept, at = jpeg[:2], 2
+    while jpeg[at + 1] != 0xDA:  # up to the start of the picture data
+        end = at + 2 + int.from_bytes(jpeg[at + 2 : at + 4], "big")
+        if jpeg[at + 1] not in (0xFE, 0xE1):
+            kept += jpeg[at:end]
+        at = end
+    return kept + jpeg[at:]

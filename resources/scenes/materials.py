@@ -1,7 +1,7 @@
 """Procedural materials for the example scenes: wood, book cloth, paper, plaster, clay, leaf, plain.
 
-No picture files: everything is made of Blender's noise.  Texture coordinates are object metres; the sizes
-given to these functions are millimetres.
+No picture files: everything is made of Blender's noise.  Texture coordinates are object metres; the
+sizes given to these functions are millimetres.
 """
 
 import bpy
@@ -16,7 +16,9 @@ class Nodes:
         self.material.use_nodes = True
         self.tree = self.material.node_tree
         self.surface = self.tree.nodes["Principled BSDF"]
-        axes = self.add("ShaderNodeSeparateXYZ", Vector=self.add("ShaderNodeTexCoord").outputs["Object"])
+        axes = self.add(
+            "ShaderNodeSeparateXYZ", Vector=self.add("ShaderNodeTexCoord").outputs["Object"]
+        )
         self.x, self.y, self.z = axes.outputs
 
     def add(self, kind, settings=None, **inputs):
@@ -25,7 +27,9 @@ class Nodes:
         for name, value in (settings or {}).items():
             setattr(node, name, value)
         for name, value in inputs.items():
-            key = int(name[2:]) if name[:2] == "in" and name[2:].isdigit() else name.replace("_", " ")
+            key = (
+                int(name[2:]) if name[:2] == "in" and name[2:].isdigit() else name.replace("_", " ")
+            )
             self.feed(node.inputs[key], value)
         return node
 
@@ -50,12 +54,20 @@ class Nodes:
     def steps(self, value, low, high, to_low=0.0, to_high=1.0):
         """value from low..high stretched smoothly to to_low..to_high, clamped."""
         settings = {"interpolation_type": "SMOOTHSTEP"}
-        wanted = {"Value": value, "From_Min": low, "From_Max": high, "To_Min": to_low, "To_Max": to_high}
+        wanted = {
+            "Value": value,
+            "From_Min": low,
+            "From_Max": high,
+            "To_Min": to_low,
+            "To_Max": to_high,
+        }
         return self.add("ShaderNodeMapRange", settings, **wanted).outputs["Result"]
 
     def mix(self, share, a, b, blend="MIX"):
         settings = {"blend_type": blend}
-        return self.add("ShaderNodeMixRGB", settings, Fac=share, Color1=a, Color2=b).outputs["Color"]
+        return self.add("ShaderNodeMixRGB", settings, Fac=share, Color1=a, Color2=b).outputs[
+            "Color"
+        ]
 
     def bump(self, height, depth):
         """Roughen the surface by `depth` mm times height (0..1)."""
@@ -74,7 +86,7 @@ def plain(name, colour, roughness=0.5, **surface):
 
 
 def wood(name, light, dark, plank=110.0, gloss=0.42):
-    """Planks along x, `plank` mm wide, each with its own rings, tone and fibres; a thin coat of oil."""
+    """Planks along x, `plank` mm wide, each with its own rings, tone and fibres; lightly oiled."""
     n = Nodes(name)
     across = n.math("DIVIDE", n.y, metres(plank))
     row = n.math("FLOOR", across)
@@ -98,7 +110,9 @@ def wood(name, light, dark, plank=110.0, gloss=0.42):
     to_seam = n.math("ABSOLUTE", n.math("SUBTRACT", n.math("FRACT", across), 0.5))
     seam = n.steps(to_seam, 0.5 - 1.0 / plank, 0.5 - 0.3 / plank)
     colour = n.mix(n.math("MULTIPLY", seam, 0.75), colour, tuple(c * 0.2 for c in dark))
-    height = n.math("SUBTRACT", n.math("MULTIPLY", fibres, 0.12), n.steps(pores, 0.60, 0.75, 0.0, 0.08))
+    height = n.math(
+        "SUBTRACT", n.math("MULTIPLY", fibres, 0.12), n.steps(pores, 0.60, 0.75, 0.0, 0.08)
+    )
     n.bump(n.math("SUBTRACT", height, seam), 0.45)
     rough = n.steps(fibres, 0.3, 0.8, gloss - 0.06, gloss + 0.12)
     return n.finish(Base_Color=colour, Roughness=rough, Specular=0.4)
@@ -114,7 +128,9 @@ def cloth(name, colour, thread=1.1):
     warp = n.math("SINE", n.math("ADD", n.math("MULTIPLY", n.z, turns), wobble))
     weave = n.steps(n.math("MULTIPLY", weft, warp), -1.0, 1.0)
     faded = n.noise(n.vector(n.x, n.y, n.z), 22.0, 6.0)
-    shade = n.math("MULTIPLY", n.steps(weave, 0.0, 1.0, 0.86, 1.1), n.steps(faded, 0.3, 0.7, 0.88, 1.12))
+    shade = n.math(
+        "MULTIPLY", n.steps(weave, 0.0, 1.0, 0.86, 1.1), n.steps(faded, 0.3, 0.7, 0.88, 1.12)
+    )
     n.bump(weave, 0.12)
     dyed = n.mix(1.0, colour, shade, "MULTIPLY")
     return n.finish(Base_Color=dyed, Roughness=0.78, Specular=0.25, Sheen=0.3)
@@ -126,7 +142,9 @@ def pages(name, colour, sheet=0.55):
     along = n.math("MULTIPLY", n.y, 6.0)
     fine = n.noise(n.vector(n.math("DIVIDE", n.x, metres(sheet)), along), 1.0, 3.0)
     broad = n.noise(n.vector(n.math("DIVIDE", n.x, metres(sheet * 6)), along), 1.0, 2.0)
-    shade = n.math("MULTIPLY", n.steps(fine, 0.3, 0.7, 0.74, 1.0), n.steps(broad, 0.3, 0.7, 0.86, 1.0))
+    shade = n.math(
+        "MULTIPLY", n.steps(fine, 0.3, 0.7, 0.74, 1.0), n.steps(broad, 0.3, 0.7, 0.86, 1.0)
+    )
     n.bump(fine, 0.25)
     return n.finish(Base_Color=n.mix(1.0, colour, shade, "MULTIPLY"), Roughness=0.9, Specular=0.15)
 
@@ -137,15 +155,23 @@ def plaster(name, colour):
     where = n.vector(n.x, n.y, n.z)
     patches = n.steps(n.noise(where, 2.2, 3.0), 0.3, 0.7, 0.95, 1.02)
     n.bump(n.noise(where, 260.0, 3.0), 0.5)
-    return n.finish(Base_Color=n.mix(1.0, colour, patches, "MULTIPLY"), Roughness=0.85, Specular=0.2)
+    return n.finish(
+        Base_Color=n.mix(1.0, colour, patches, "MULTIPLY"), Roughness=0.85, Specular=0.2
+    )
 
 
 def leaf(name, dark, light, band=26.0):
     """Green with paler cross bands, waxy."""
     n = Nodes(name)
-    wave = n.noise(n.vector(n.math("MULTIPLY", n.x, 60.0), n.math("MULTIPLY", n.y, 60.0), n.z), 1.0, 2.0)
-    turns = n.math("ADD", n.math("MULTIPLY", n.z, 6.2832 / metres(band)), n.math("MULTIPLY", wave, 9.0))
-    return n.finish(Base_Color=n.mix(n.steps(n.math("SINE", turns), -0.2, 0.9), dark, light), Roughness=0.38)
+    wave = n.noise(
+        n.vector(n.math("MULTIPLY", n.x, 60.0), n.math("MULTIPLY", n.y, 60.0), n.z), 1.0, 2.0
+    )
+    turns = n.math(
+        "ADD", n.math("MULTIPLY", n.z, 6.2832 / metres(band)), n.math("MULTIPLY", wave, 9.0)
+    )
+    return n.finish(
+        Base_Color=n.mix(n.steps(n.math("SINE", turns), -0.2, 0.9), dark, light), Roughness=0.38
+    )
 
 
 def clay(name, colour):

@@ -1,6 +1,7 @@
 """Things to stand in the example scenes: hardback, mug, pencil, notebook, plant.
 
-In millimetres and built about the origin; each builder returns the list of its objects, for `common.place`.
+In millimetres and built about the origin; each builder returns the list of its objects, for
+`common.place`.
 """
 
 import math
@@ -11,11 +12,11 @@ from mathutils import Matrix
 
 BOARD = 2.6  # thickness of a hardback's boards
 SQUARE = 3.5  # how far the boards overhang the pages
-SPINE_ROUND = 0.7  # how far the middle of a spine stands out before its edges
+SPINE_ROUND = 0.3  # how far the middle of a spine stands out before its edges
 
 
 def spine_curve(width, steps=12, proud=0.0):
-    """Points (x, y) along a slightly rounded spine from left to right, its foremost line at y = -proud."""
+    """Points (x, y) along a slightly rounded spine, from left to right, foremost at y = -proud."""
     points = []
     for step in range(steps + 1):
         share = 2 * step / steps - 1
@@ -30,26 +31,41 @@ def hardback(thick, deep, high, cover, paper, band_cloth, gilt, label, marks):
     """
     half = thick / 2
     inner = half - BOARD
-    side = [(half, 5), (half - 0.9, 6.5), (half - 0.9, 9.5), (half, 11.5), (half, deep)]
+    side = [(half, 5), (half - 1.3, 6.5), (half - 1.3, 10.5), (half, 13.5), (half, deep)]
     left = [(-x, y) for x, y in reversed(side)]
     inside = [(inner, deep), (inner, BOARD + 1), (-inner, BOARD + 1), (-inner, deep)]
-    case = add_prism("case", left + spine_curve(thick) + side + inside, 0, high, cover, bevel=0.6)
-    block = add_box("pages", (-inner, BOARD + 3, SQUARE), (inner, deep - SQUARE, high - SQUARE), paper)
+    case = add_prism("case", left + spine_curve(thick) + side + inside, 0, high, cover, bevel=0.25)
+    block = add_box(
+        "pages", (-inner, BOARD + 3, SQUARE), (inner, deep - SQUARE, high - SQUARE), paper
+    )
     head = high - SQUARE
     band = add_box(
-        "headband", (-inner, BOARD + 1.2, head - 4), (inner, BOARD + 4.6, head + 0.8), band_cloth, 0.8
+        "headband",
+        (-inner, BOARD + 1.2, head - 4),
+        (inner, BOARD + 4.6, head + 0.8),
+        band_cloth,
+        0.8,
     )
     return [case, block, band, *spine_label(thick, high, gilt, label, marks)]
 
 
 def spine_label(thick, high, gilt, label, marks):
-    """Rules of gold, a label that bears an ornament in place of a title, and the volume's points."""
+    """Gold rules, a label bearing an ornament in place of a title, and the volume's points."""
     wide = thick - 2.4
     parts = [spine_strip("label", wide, 0.700 * high, 0.830 * high, label)]
-    for share, rule in ((0.935, 1.6), (0.920, 0.7), (0.842, 0.8), (0.686, 0.8), (0.085, 0.7), (0.065, 1.6)):
+    for share, rule in (
+        (0.935, 1.6),
+        (0.920, 0.7),
+        (0.842, 0.8),
+        (0.686, 0.8),
+        (0.085, 0.7),
+        (0.065, 1.6),
+    ):
         parts.append(spine_strip("rule", wide, share * high, share * high + rule, gilt))
     for share in (0.715, 0.811):
-        parts.append(spine_strip("label rule", wide, share * high, share * high + 0.9, gilt, proud=0.2))
+        parts.append(
+            spine_strip("label rule", wide, share * high, share * high + 0.9, gilt, proud=0.2)
+        )
     parts.append(spine_diamond("ornament", 4.4, 5.6, 0.765 * high, gilt))
     for index in range(marks):
         parts.append(spine_diamond("volume point", 1.7, 1.7, 0.14 * high + 6.0 * index, gilt))
@@ -76,8 +92,9 @@ def mug(glaze, drink, radius=41.0, high=92.0, wall=4.0):
     foot, lip = radius - 5, wall / 2
     outer = [(0, 2), (foot - 4, 2), (foot - 3, 0), (foot, 0), (foot + 1.5, 1.5)]
     outer += [(radius - 1, 7), (radius, 14)]
-    rim = [(radius - lip + lip * math.cos(a), high - lip + lip * math.sin(a)) for a in (0, 0.5, 1.05, 1.57)]
-    rim += [(radius - lip - lip * math.cos(a), high - lip + lip * math.sin(a)) for a in (1.05, 0.5, 0)]
+    bends = (0, 0.5, 1.05, 1.57)
+    rim = [(radius - lip + lip * math.cos(a), high - lip + lip * math.sin(a)) for a in bends]
+    rim += [(2 * (radius - lip) - r, z) for r, z in reversed(rim[:-1])]
     inner = [(radius - wall, 14), (radius - wall - 3, 8), (radius - wall - 9, 6), (0, 6)]
     body = add_lathe("mug", outer + rim + inner, glaze)
     surface = add_lathe("drink", [(0, high - 14), (radius - wall + 0.2, high - 14)], drink)
@@ -90,9 +107,13 @@ def mug(glaze, drink, radius=41.0, high=92.0, wall=4.0):
 def pencil(paint, bare_wood, lead, long=165.0, radius=3.7):
     """A sharpened six-sided pencil lying along +x on the table."""
     body = add_lathe("pencil", [(0, 0), (radius, 0), (radius, long - 22)], paint, segments=6)
-    cone = add_lathe("cut", [(radius * 0.98, long - 23.5), (1.0, long - 4.5)], bare_wood, segments=32)
+    cone = add_lathe(
+        "cut", [(radius * 0.98, long - 23.5), (1.0, long - 4.5)], bare_wood, segments=32
+    )
     tip = add_lathe("lead", [(1.05, long - 5), (0.25, long), (0, long)], lead, segments=32)
-    lie_down = Matrix.Translation(metres((0, 0, radius * 0.866))) @ Matrix.Rotation(math.pi / 2, 4, "Y")
+    lie_down = Matrix.Translation(metres((0, 0, radius * 0.866))) @ Matrix.Rotation(
+        math.pi / 2, 4, "Y"
+    )
     flat_side_down = lie_down @ Matrix.Rotation(math.pi / 6 + math.pi / 2, 4, "Z")
     return place([body, cone, tip], (0, 0, 0), tip=flat_side_down)
 
@@ -101,10 +122,14 @@ def notebook(cover, paper, strap, wide=130.0, long=190.0, thick=13.0):
     """A soft notebook lying shut, held by a strap."""
     x, y = wide / 2, long / 2
     bottom = add_box("notebook back", (-x, -y, 0), (x, y, 1.4), cover, bevel=0.6)
-    block = add_box("notebook pages", (-x + 1.5, -y + 2, 1.4), (x - 2, y - 2, thick - 1.4), paper, bevel=0.4)
+    block = add_box(
+        "notebook pages", (-x + 1.5, -y + 2, 1.4), (x - 2, y - 2, thick - 1.4), paper, bevel=0.4
+    )
     front = add_box("notebook front", (-x, -y, thick - 1.4), (x, y, thick), cover, bevel=0.6)
     spine = add_box("notebook spine", (-x, -y, 0.4), (-x + 1.4, y, thick - 0.4), cover, bevel=0.6)
-    band = add_box("strap", (x - 22, -y - 0.5, 0.2), (x - 15, y + 0.5, thick + 0.5), strap, bevel=0.4)
+    band = add_box(
+        "strap", (x - 22, -y - 0.5, 0.2), (x - 15, y + 0.5, thick + 0.5), strap, bevel=0.4
+    )
     return [bottom, block, front, spine, band]
 
 

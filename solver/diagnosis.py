@@ -11,12 +11,12 @@ conflict
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
-from .annotations import Annotation
+from .annotations import targets_of
 from .full import FullProblem, Pose
 from .graph import SketchGraph
 from .solution import Residual
@@ -50,24 +50,28 @@ def freedoms(full: FullProblem, x: Pose, names: list[str], frozen: int = 0) -> F
         Freedoms of the frame that are no freedoms of the shape (3 without object axes).
     """
     at = full.evaluate(x)
-    # Constraints weigh as much as the drawing: only whether they act matters here.
-    stacked = np.vstack([at.J, at.H, at.G])
+    # Constraints weigh as much as the drawing: only whether they act matters here. The gauge is
+    # left free, so that the overall size is one of the directions found.
+    stacked = np.vstack([at.J, at.H])
     scale = np.maximum(np.linalg.norm(stacked, axis=0), 1e-12)
-    stacked = np.vstack(
-        [stacked / scale, np.zeros((max(0, -np.subtract(*stacked.shape)), len(scale)))]
-    )
+    missing_rows = max(0, stacked.shape[1] - stacked.shape[0])
+    stacked = np.vstack([stacked / scale, np.zeros((missing_rows, len(scale)))])
     _, s, Vt = np.linalg.svd(stacked, full_matrices=False)
     null = Vt[s <= NULL_TOLERANCE * max(float(s[0]), 1e-300)] / scale
-    count = max(0, len(null) - frozen)
-    loose: tuple[str, ...] = ()
-    if count and len(null):
-        moved = null[:, 4:][:, full.coordinate]  # (freedoms, n, 3)
-        # Motion along the ray of a vertex is what a freedom of depth looks like.
-        size = np.sqrt((moved**2).sum(axis=(0, 2)))
-        loose = tuple(
-            name for name, m in zip(names, size, strict=True) if m > 1e-3 * float(size.max())
-        )
+    count = max(0, len(null) - frozen - 1)
+    loose = _loose(full, x, null, names) if count else ()
     return Freedoms(count, loose, _focal_sigma(full, x))
+
+
+def _loose(full: FullProblem, x: Pose, null: Array, names: list[str]) -> tuple[str, ...]:
+    """The vertices that move against the largest part that grows and shrinks as one."""
+    X = full.positions(x)
+    motion = null[:, 4:][:, full.coordinate]  # (freedoms, n, 3)
+    growth = np.einsum("fnk,nk->nf", motion, X) / np.maximum((X**2).sum(axis=1), 1e-300)[:, None]
+    steps = np.round(growth / max(float(np.abs(growth).max(initial=0.0)), 1e-300), 5)
+    _, part, sizes = np.unique(steps, axis=0, return_inverse=True, return_counts=True)
+    part = part.reshape(-1)
+    return tuple(n for n, p in zip(names, part, strict=True) if p != int(np.argmax(sizes)))
 
 
 def _focal_sigma(full: FullProblem, x: Pose) -> float:
@@ -85,26 +89,41 @@ def _focal_sigma(full: FullProblem, x: Pose) -> float:
 
 
 def clashing_annotations(graph: SketchGraph) -> tuple[str, ...]:
-    """A smallest set of annotations that cannot all hold, whatever the drawing.
+    """A small set of annotations that cannot all hold, whatever the drawing, culprits first.
 
-    Each annotation is left out in turn; those without which the rest still clash are dropped.
+    A culprit is one without which all the others agree. What clashes with it is found by leaving
+    out the rest one by one, those farthest from it first, so that the reason stays near at hand.
     """
 
-    def clash(annotations: Iterable[Annotation]) -> bool:
+    def clash(kept: Iterable[str]) -> bool:
+        annotations = [graph.annotations[id_] for id_ in kept]
         return build_structure(graph, annotations).contradiction
 
-    return _minimal_subset(dict(graph.annotations), clash)
-
-
-def _minimal_subset(
-    said: dict[str, Annotation], clash: Callable[[Iterable[Annotation]], bool]
-) -> tuple[str, ...]:
-    kept = dict(said)
-    for id_ in said:
-        rest = {k: a for k, a in kept.items() if k != id_}
-        if clash(rest.values()):
+    said = list(graph.annotations)
+    culprits = [id_ for id_ in said if not clash(k for k in said if k != id_)]
+    for culprit in culprits[-1:]:
+        for other in said:
+            if other != culprit and clash((culprit, other)):
+                return (culprit, other)
+    near = _elements_near(graph, culprits[-1:])
+    order = sorted(said, key=lambda id_: (len(_elements(graph, id_) & near), said.index(id_)))
+    kept = list(said)
+    for id_ in order:
+        rest = [k for k in kept if k != id_]
+        if clash(rest):
             kept = rest
-    return tuple(kept)
+    return tuple(sorted(kept, key=lambda id_: (id_ not in culprits, said.index(id_))))
+
+
+def _elements(graph: SketchGraph, id_: str) -> set[str]:
+    """The vertices that an annotation speaks of."""
+    named = targets_of(graph.annotations[id_])
+    ends = {v for e in named.get("edge", ()) for v in graph.edges[e]}
+    return ends | set(named.get("vertex", ()))
+
+
+def _elements_near(graph: SketchGraph, ids: Iterable[str]) -> set[str]:
+    return {v for id_ in ids for v in _elements(graph, id_)}
 
 
 def unmet_annotations(residuals: Mapping[str, Residual], size_mm: float) -> tuple[str, ...]:

@@ -33,13 +33,15 @@ from .residuals import annotation_residuals
 from .solution import Report, Solution, Status
 from .structure import Structure, build_structure
 from .values import Array
-from .world import Placement, camera_above_ground, place
+from .world import Placement, camera_above_ground, ground_indices, place
 
 #: Views that are carried on to the full step.
 MAX_STARTS = 6
 #: A log focal length less certain than this counts as not determined by the sketch.
 UNSURE_FOCAL_SIGMA = 0.3
 USUAL_FOCAL_SIGMA = 0.3
+#: Readings whose misfits differ by less than this factor fit about equally well.
+CLOSE_CALL = 1.5
 #: A drawing further than this from every shape (image units, RMS) was not understood.
 LOST_MISFIT = 0.25
 
@@ -153,7 +155,12 @@ def _best(
         found.append(_Lifted(problem, full, minimum, above))
     if not found:
         return None
-    return min(found, key=lambda c: (not c.above, c.minimum.cost))
+    if ground_indices(graph):
+        return min(found, key=lambda c: (not c.above, c.minimum.cost))
+    # Without a ground only a close call is decided by how people take photos.
+    least = min(c.minimum.cost for c in found)
+    close = [c for c in found if c.minimum.cost <= CLOSE_CALL * least + 1e-20]
+    return min(close, key=lambda c: (not c.above, c.minimum.cost))
 
 
 def _views(problem: Problem) -> list[Start]:

@@ -69,7 +69,8 @@ def up_direction(graph: SketchGraph, problem: Problem, pose: Pose) -> Array:
 def _most_upright(problem: Problem, pose: Pose) -> Array:
     if not problem.structure.has_axes:
         return np.asarray(pose.R.T @ np.array([0.0, -1.0, 0.0]))
-    k = int(np.argmax(np.abs(pose.R[1])))
+    # Cameras are held level: the vertical shows no lean to the side.
+    k = int(np.argmax(np.abs(pose.R[1]) - 2 * np.abs(pose.R[0])))
     return np.asarray(np.eye(3)[k] * -np.sign(pose.R[1, k]))
 
 

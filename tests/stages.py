@@ -20,6 +20,8 @@ ROOT = Path(__file__).resolve().parent.parent
 DECOY = ROOT / "tests" / "freecad" / "decoy_addon"
 #: pytest's status for "no tests were collected" is 5, so an empty stage fails as well.
 PYTEST = ["-p", "no:cacheprovider", "--quiet"]
+#: FreeCAD's own import hooks are older than Python's present way.
+FREECADS_OWN = ["-W", "ignore:.*find_spec.*:ImportWarning"]
 INSIDE = ["tests/freecad", "tests/canvas"]
 
 
@@ -70,7 +72,13 @@ def _inside(*, window: bool) -> int:
         launch = Launch(
             call="pytest:main",
             home=Path(home),
-            arguments=[*PYTEST, "--rootdir", str(ROOT), *(str(ROOT / folder) for folder in INSIDE)],
+            arguments=[
+                *PYTEST,
+                *FREECADS_OWN,
+                "--rootdir",
+                str(ROOT),
+                *(str(ROOT / folder) for folder in INSIDE),
+            ],
             window=window,
             own_screen=window,
             addons=(DECOY,),

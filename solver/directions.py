@@ -61,9 +61,10 @@ class _Relations:
         self.changed = True
         keep = self.sets.find(i)
         gone = j if keep == i else i
-        for other in self.perp.pop(gone):
+        across = self.perp.pop(gone)
+        for other in across - {gone}:
             self.perp[other].discard(gone)
-            other = keep if other == gone else other
+        for other in {keep if o == gone else o for o in across}:
             self.perp[keep].add(other)
             self.perp[other].add(keep)
 

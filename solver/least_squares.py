@@ -92,8 +92,15 @@ def minimise(
     -------
     Minimum
     """
+    # Wild points overflow on the way; each step is judged by a finite merit.
+    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+        return _minimise(objective, x, max_iterations, stop)
+
+
+def _minimise(
+    objective: Objective[X], x: X, max_iterations: int, stop: Callable[[], bool] | None
+) -> Minimum[X]:
     iterations = 0
-    converged = False
     constrained = objective.evaluate(x).h.size > 0
     for rho in PENALTIES if constrained else ():
         x, used, _ = _descend(objective, x, _Phase(rho, 6, 1e-4, False), stop)
@@ -163,6 +170,8 @@ def _step(at: Evaluation, rho: float, mu: float) -> Array | None:
     system[n:, :n] = at.H
     system[n:, n:] = -np.eye(k) / rho
     right = -np.concatenate([at.J.T @ at.r, at.h])
+    if not bool(np.isfinite(system).all() and np.isfinite(right).all()):
+        return None
     try:
         solved = np.linalg.solve(system, right)
     except np.linalg.LinAlgError:

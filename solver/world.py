@@ -130,6 +130,8 @@ def _scale(graph: SketchGraph, problem: Problem, c: Array) -> tuple[float, bool]
     if given:
         drawn, wanted = np.array(given).T
         weight = drawn / wanted
+        if not float(np.sum(weight**2)) > 0:
+            return 1.0, False
         # Exact for one length or lengths in proportion, a fair mean for others.
         return float(np.sum(weight) / np.sum(weight**2)), False
     longest = float(found.max(initial=0.0))

@@ -11,6 +11,9 @@ from ..values import Array
 
 IntArray = NDArray[np.int64]
 
+#: Shorter lengths count as this: collapsed edges give large numbers, not infinite ones.
+TINY = 1e-30
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Linearised:
@@ -34,7 +37,7 @@ class Linearised:
 def unit_vectors(u: Array) -> tuple[Array, Array]:
     """Directions and lengths of vectors (k, 3); a vector of length 0 has direction 0."""
     length = np.linalg.norm(u, axis=1)
-    safe = np.maximum(length, 1e-300)
+    safe = np.maximum(length, TINY)
     return u / safe[:, None], length
 
 

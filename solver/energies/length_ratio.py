@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..values import Array
-from .base import IntArray, Linearised, gather, unit_vectors
+from .base import TINY, IntArray, Linearised, gather, unit_vectors
 
 
 def length_ratio(X: Array, pairs: IntArray, wanted: Array | None = None) -> Linearised:
@@ -32,7 +32,7 @@ def length_ratio(X: Array, pairs: IntArray, wanted: Array | None = None) -> Line
     u, length_u = unit_vectors(X[b] - X[a])
     v, length_v = unit_vectors(X[d] - X[c])
     p, q = length_u / wanted[:, 0], length_v / wanted[:, 1]
-    total = np.maximum(p + q, 1e-300)
+    total = np.maximum(p + q, TINY)
     du = (2 * q / total**2 / wanted[:, 0])[:, None] * u
     dv = (-2 * p / total**2 / wanted[:, 1])[:, None] * v
     rows = np.arange(len(pairs))

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..values import Array
-from .base import IntArray, Linearised, gather, unit_vectors
+from .base import TINY, IntArray, Linearised, gather, unit_vectors
 
 
 def parallel(X: Array, pairs: IntArray) -> Linearised:
@@ -26,8 +26,8 @@ def parallel(X: Array, pairs: IntArray) -> Linearised:
     a, b, c, d = pairs.T
     u, length_u = unit_vectors(X[b] - X[a])
     v, length_v = unit_vectors(X[d] - X[c])
-    du = -_cross_matrices(v) @ _projectors(u) / np.maximum(length_u, 1e-300)[:, None, None]
-    dv = _cross_matrices(u) @ _projectors(v) / np.maximum(length_v, 1e-300)[:, None, None]
+    du = -_cross_matrices(v) @ _projectors(u) / np.maximum(length_u, TINY)[:, None, None]
+    dv = _cross_matrices(u) @ _projectors(v) / np.maximum(length_v, TINY)[:, None, None]
     rows = np.arange(3 * len(pairs))
     a, b, c, d = (np.repeat(i, 3) for i in (a, b, c, d))
     du, dv = du.reshape(-1, 3), dv.reshape(-1, 3)

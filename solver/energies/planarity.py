@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..values import Array
-from .base import IntArray, Linearised, gather, perpendicular_part, unit_vectors
+from .base import TINY, IntArray, Linearised, gather, perpendicular_part, unit_vectors
 
 
 def planarity(X: Array, quads: IntArray) -> Linearised:
@@ -27,7 +27,7 @@ def planarity(X: Array, quads: IntArray) -> Linearised:
     at_origin = np.zeros((len(quads), 3))
     for k, i in enumerate(others):
         normal = np.cross(units[(k + 1) % 3], units[(k + 2) % 3])
-        d = perpendicular_part(units[k], normal) / np.maximum(lengths[k], 1e-300)[:, None]
+        d = perpendicular_part(units[k], normal) / np.maximum(lengths[k], TINY)[:, None]
         terms.append((rows, i, d))
         at_origin -= d
     return gather(r, [*terms, (rows, o, at_origin)])

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..values import Array
-from .base import IntArray, Linearised, gather, perpendicular_part, unit_vectors
+from .base import TINY, IntArray, Linearised, gather, perpendicular_part, unit_vectors
 
 
 def right_angle(X: Array, corners: IntArray) -> Linearised:
@@ -26,7 +26,7 @@ def right_angle(X: Array, corners: IntArray) -> Linearised:
     u, length_u = unit_vectors(X[b] - X[a])
     v, length_v = unit_vectors(X[c] - X[a2])
     r = np.einsum("ij,ij->i", u, v)
-    du = perpendicular_part(u, v) / np.maximum(length_u, 1e-300)[:, None]
-    dv = perpendicular_part(v, u) / np.maximum(length_v, 1e-300)[:, None]
+    du = perpendicular_part(u, v) / np.maximum(length_u, TINY)[:, None]
+    dv = perpendicular_part(v, u) / np.maximum(length_v, TINY)[:, None]
     rows = np.arange(len(corners))
     return gather(r, [(rows, b, du), (rows, a, -du), (rows, c, dv), (rows, a2, -dv)])

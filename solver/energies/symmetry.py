@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..values import Array
-from .base import IntArray, Linearised, gather, perpendicular_part, unit_vectors
+from .base import TINY, IntArray, Linearised, gather, perpendicular_part, unit_vectors
 
 
 def symmetry(X: Array, pairs: IntArray) -> Linearised:
@@ -22,7 +22,7 @@ def symmetry(X: Array, pairs: IntArray) -> Linearised:
     """
     a, b, c, d = pairs.T
     u, length = unit_vectors(X[b] - X[a])
-    length = np.maximum(length, 1e-300)[:, None]
+    length = np.maximum(length, TINY)[:, None]
     w = (X[c] + X[d] - X[a] - X[b]) / 2
     r = np.einsum("ij,ij->i", u, w) / length[:, 0]
     dw = u / length

@@ -11,6 +11,7 @@ conflict
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
@@ -23,8 +24,12 @@ from .solution import Residual
 from .structure import build_structure
 from .values import Array
 
+#: Up to so many unknowns the null space is taken from the Jacobian itself.
+MAX_SVD = 300
 #: Singular values below this part of the largest are freedoms.
 NULL_TOLERANCE = 1e-8
+#: Looking for a smaller clash ends after this time; what is found by then is a clash all the same.
+MAX_SEARCH_S = 2.0
 #: Residuals above this are not zero: degrees, or parts of the object's size.
 HELD_TOLERANCE = 1e-7
 
@@ -54,13 +59,22 @@ def freedoms(full: FullProblem, x: Pose, names: list[str], frozen: int = 0) -> F
     # left free, so that the overall size is one of the directions found.
     stacked = np.vstack([at.J, at.H])
     scale = np.maximum(np.linalg.norm(stacked, axis=0), 1e-12)
-    missing_rows = max(0, stacked.shape[1] - stacked.shape[0])
-    stacked = np.vstack([stacked / scale, np.zeros((missing_rows, len(scale)))])
-    _, s, Vt = np.linalg.svd(stacked, full_matrices=False)
-    null = Vt[s <= NULL_TOLERANCE * max(float(s[0]), 1e-300)] / scale
+    null = _null_space(stacked / scale) / scale
     count = max(0, len(null) - frozen - 1)
     loose = _loose(full, x, null, names) if count else ()
     return Freedoms(count, loose, _focal_sigma(full, x))
+
+
+def _null_space(A: Array) -> Array:
+    """Rows that span the null space of A."""
+    rows, columns = A.shape
+    if columns <= MAX_SVD:
+        padded = np.vstack([A, np.zeros((max(0, columns - rows), columns))])
+        _, s, Vt = np.linalg.svd(padded, full_matrices=False)
+        return np.asarray(Vt[s <= NULL_TOLERANCE * max(float(s[0]), 1e-300)])
+    # Squaring halves the digits, so that the tolerance is coarser.
+    values, vectors = np.linalg.eigh(A.T @ A)
+    return np.asarray(vectors[:, values <= 1e-13 * max(float(values[-1]), 1e-300)].T)
 
 
 def _loose(full: FullProblem, x: Pose, null: Array, names: list[str]) -> tuple[str, ...]:
@@ -85,7 +99,9 @@ def _focal_sigma(full: FullProblem, x: Pose) -> float:
     values, vectors = np.linalg.eigh(A)
     share = vectors.T @ unit
     floor = 1e-13 * float(values.max())
-    return float(np.sqrt(noise * np.sum(share**2 / np.maximum(values, floor))))
+    variance = noise * float(np.sum(share**2 / np.maximum(values, floor)))
+    # d log f = -f d kappa
+    return float(np.exp(x.log_focal) * np.sqrt(variance))
 
 
 def clashing_annotations(graph: SketchGraph) -> tuple[str, ...]:
@@ -95,14 +111,21 @@ def clashing_annotations(graph: SketchGraph) -> tuple[str, ...]:
     out the rest one by one, those farthest from it first, so that the reason stays near at hand.
     """
 
+    deadline = time.perf_counter() + MAX_SEARCH_S
+
     def clash(kept: Iterable[str]) -> bool:
         annotations = [graph.annotations[id_] for id_ in kept]
         return build_structure(graph, annotations).contradiction
 
     said = list(graph.annotations)
-    culprits = [id_ for id_ in said if not clash(k for k in said if k != id_)]
+    culprits = []
+    for id_ in said:
+        if time.perf_counter() < deadline and not clash(k for k in said if k != id_):
+            culprits.append(id_)
     for culprit in culprits[-1:]:
         for other in said:
+            if time.perf_counter() > deadline:
+                break
             if other != culprit and clash((culprit, other)):
                 return (culprit, other)
     near = _elements_near(graph, culprits[-1:])
@@ -110,6 +133,8 @@ def clashing_annotations(graph: SketchGraph) -> tuple[str, ...]:
     kept = list(said)
     for id_ in order:
         rest = [k for k in kept if k != id_]
+        if time.perf_counter() > deadline:
+            break
         if clash(rest):
             kept = rest
     return tuple(sorted(kept, key=lambda id_: (id_ not in culprits, said.index(id_))))

@@ -27,6 +27,10 @@ from .annotations import Annotation, Parallel, RightAngle, SymmetryPlane
 from .graph import SketchGraph
 from .union_find import UnionFind
 
+#: A tangle in which everything is joined to everything has more closed chains than can be looked
+#: at; an object has a few for each edge.
+MAX_CYCLES = 20_000
+
 
 @dataclass(frozen=True, slots=True)
 class Directions:
@@ -208,8 +212,10 @@ def _quadrilaterals(graph: SketchGraph) -> list[tuple[int, int, int, int]]:
     """Closed chains of four edges, in order around; each once."""
     joined = _neighbours(graph)
     order = {v: i for i, v in enumerate(graph.vertices)}
-    cycles = []
+    cycles: list[tuple[int, int, int, int]] = []
     for a, around in joined.items():
+        if len(cycles) > MAX_CYCLES:
+            break
         # a is the chain's first vertex; c lies across, b and d between them.
         across: dict[str, list[str]] = {}
         for b in around:
@@ -227,8 +233,10 @@ def _quadrilaterals(graph: SketchGraph) -> list[tuple[int, int, int, int]]:
 def _triangles(graph: SketchGraph) -> list[tuple[int, ...]]:
     joined = _neighbours(graph)
     order = {v: i for i, v in enumerate(graph.vertices)}
-    found = []
+    found: list[tuple[int, ...]] = []
     for i, (v, w) in enumerate(graph.edges.values()):
+        if len(found) > MAX_CYCLES:
+            break
         for u in joined[v].keys() & joined[w].keys():
             if order[u] > order[v] and order[u] > order[w]:
                 found.append((i, joined[w][u], joined[u][v]))

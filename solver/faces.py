@@ -15,11 +15,14 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from .errors import SketchError
 from .graph import Face
 from .values import Array
 
 #: Vertices within this part of the object's size of a plane lie in it.
 PLANE_TOLERANCE = 1e-6
+#: Where more pairs of edges meet than this, the drawing is a tangle and no object.
+MAX_CORNERS = 50_000
 
 
 def find_faces(
@@ -37,6 +40,11 @@ def find_faces(
     dict
         Faces in the order of the vertices that they touch; a loop within another one of the same
         plane, which does not touch it, is a hole in it (and a face of its own).
+
+    Raises
+    ------
+    SketchError
+        Where too many edges meet for faces to be looked for.
     """
     names = list(vertices_mm)
     index = {v: i for i, v in enumerate(names)}
@@ -63,6 +71,10 @@ def _planes(X: Array, ends: list[tuple[int, int]]) -> list[tuple[Array, tuple[in
     for i, j in ends:
         around.setdefault(i, []).append(j)
         around.setdefault(j, []).append(i)
+    if sum(len(others) ** 2 for others in around.values()) > 2 * MAX_CORNERS:
+        raise SketchError(
+            f"more than {MAX_CORNERS} pairs of edges meet", (), "list the faces in the sketch"
+        )
     seen: dict[tuple[int, ...], Array] = {}
     tested: set[tuple[int, int, int]] = set()
     for i, others in around.items():

@@ -1,8 +1,12 @@
 """The full step: rotation, focal length and shared coordinates against the drawing ([Lau10] 4.2).
 
-The unknowns are x = (omega, phi, g): a small turn of the camera, the logarithm of the focal length,
-and the shared coordinates. The objective is the distance in the image between the projected and the
-drawn vertices (the paper's projection term |p - p'|^2); leftover constraints are held exactly.
+The unknowns are x = (omega, kappa, g): a small turn of the camera, the inverse focal length, and
+the shared coordinates. Changing kappa moves the object along the axis of view as well, so that its
+middle keeps its size in the image (a dolly zoom): kappa then is the strength of the perspective
+alone, on which the projection depends almost linearly, down to kappa = 0 for a view from afar.
+
+The objective is the distance in the image between the projected and the drawn vertices (the paper's
+projection term |p - p'|^2); leftover constraints are held exactly.
 """
 
 from __future__ import annotations
@@ -81,14 +85,16 @@ class FullProblem:
         """Turn the camera, scale the focal length, move the coordinates."""
         if float(np.abs(step[:3]).max()) > 1.0:
             return None
-        log_focal = float(np.clip(x.log_focal + np.clip(step[3], -0.5, 0.5), *LOG_FOCAL_RANGE))
-        g = x.g + step[4:]
+        old, (low, high) = np.exp(-x.log_focal), np.exp(np.negative(LOG_FOCAL_RANGE[::-1]))
+        kappa = float(np.clip(old + np.clip(step[3], -0.4 * old, old), low, high))
+        dolly = (old / kappa - 1) * self._middle_depth(x)
+        g = x.g + step[4:] + dolly * self._forward(x)
         size = float(np.linalg.norm(g))
         if not 1e-12 < size < 1e12:
             return None
         # The overall size is free; keeping it stops drift.
         g = g * (float(np.linalg.norm(x.g)) / size)
-        moved = Pose(Rotation.from_rotvec(step[:3]).as_matrix() @ x.R, log_focal, g)
+        moved = Pose(Rotation.from_rotvec(step[:3]).as_matrix() @ x.R, -float(np.log(kappa)), g)
         depth = moved.g[self.coordinate] @ moved.R[2]
         if len(depth) and float(depth.min()) <= 1e-4 * float(np.abs(depth).mean()):
             return None
@@ -122,23 +128,39 @@ class FullProblem:
         J = np.zeros((2 * n, 4 + self.m))
         # d x_cam / d omega = -[x_cam]x, so that a row d becomes x_cam x d.
         J[:, :3] = np.cross(in_cam[:, None, :], D).reshape(-1, 3)
-        if not self._focal_at_limit(x, projected):
-            J[:, 3] = (projected * self.problem.weights[:, None]).reshape(-1)
+        # d f / d kappa = -f^2, and the middle depth goes with f.
+        in_place = -f * projected * self.problem.weights[:, None]
+        J[:, 3] = (in_place - f * self._middle_depth(x) * D[:, :, 2]).reshape(-1)
         by_axis = (D @ x.R).reshape(-1, 3)
         rows = np.arange(2 * n)
         for k in range(3):
             J[rows, 4 + np.repeat(self.coordinate[:, k], 2)] = by_axis[:, k]
         if self.prior is not None:
             prior_row = np.zeros((1, 4 + self.m))
-            prior_row[0, 3] = DRAWING_SIGMA / self.prior.sigma
+            prior_row[0, 3] = -f * DRAWING_SIGMA / self.prior.sigma
             J = np.vstack([J, prior_row])
-        return self._residual(x), J
+        r = self._residual(x)
+        if self._focal_at_limit(x, float(J[:, 3] @ r)):
+            J[:, 3] = 0.0
+        return r, J
 
-    def _focal_at_limit(self, x: Pose, projected: Array) -> bool:
+    def _focal_at_limit(self, x: Pose, slope: float) -> bool:
         """Whether the drawing pulls the focal length beyond what cameras have."""
-        pull = float(np.sum((self.problem.points - projected) * projected))
         low, high = LOG_FOCAL_RANGE
-        return (x.log_focal >= high and pull > 0) or (x.log_focal <= low and pull < 0)
+        edge = 1e-9
+        return (x.log_focal >= high - edge and slope > 0) or (
+            x.log_focal <= low + edge and slope < 0
+        )
+
+    def _middle_depth(self, x: Pose) -> float:
+        return float(np.mean(x.g[self.coordinate] @ x.R[2]))
+
+    def _forward(self, x: Pose) -> Array:
+        """The shared coordinates' change when the object moves one unit along the axis of view."""
+        forward = np.zeros(self.m)
+        for k in range(3):
+            forward[self.coordinate[:, k]] = x.R[2, k]
+        return forward
 
     def _constraints(self, x: Pose) -> tuple[Array, Array]:
         positions = self.positions(x)

@@ -29,6 +29,8 @@ from .values import Array
 LOG_FOCAL_RANGE = (float(np.log(0.4)), float(np.log(40.0)))
 #: Where the formula's view fits the lines to this angle (rad, RMS), no further views are tried.
 GOOD_MISFIT = 0.02
+#: What most cameras have: about 12 to 110 mm equivalent.
+LIKELY_LOG_FOCAL = (float(np.log(0.7)), float(np.log(6.0)))
 #: Log focal lengths to begin with: wide, usual, tele.
 FOCAL_GUESSES = (float(np.log(1.5)), float(np.log(0.9)), float(np.log(3.5)))
 #: A usual phone camera, 26 mm equivalent, where nothing tells the focal length.
@@ -55,12 +57,21 @@ def starts(problem: Problem) -> list[Start]:
         # Two directions tell little of the focal length: the full step finds it, from several.
         views = [_views_at(lines, weights, axes, float(f))[:2] for f in FOCAL_GUESSES]
         return [start for pair in zip(*views, strict=False) for start in pair]
-    found = _refine_all(lines, weights, axes, _from_mean_directions(problem), fixed)
+    candidates = _from_mean_directions(problem)
+    found = _refine_all(lines, weights, axes, candidates, fixed)
     total = float(np.sum(weights**2))
     if not found or found[0].misfit > GOOD_MISFIT**2 * total:
-        grid = _grid(lines, weights, axes, fixed)
-        found = _distinct([*found, *_refine_all(lines, weights, axes, grid, fixed)])
+        candidates += _grid(lines, weights, axes, fixed)
+        found = _refine_all(lines, weights, axes, candidates, fixed)
+    if fixed is None and not _likely(found[0].log_focal):
+        # Careless lines say "from afar" too easily: begin from usual focal lengths as well.
+        usual = [_refine_all(lines, weights, axes, candidates, f)[:2] for f in FOCAL_GUESSES[::2]]
+        found = [start for group in [*usual, found[:2]] for start in group]
     return found
+
+
+def _likely(log_focal: float) -> bool:
+    return LIKELY_LOG_FOCAL[0] < log_focal < LIKELY_LOG_FOCAL[1]
 
 
 def _views_at(lines: Array, weights: Array, axes: IntArray, log_focal: float) -> list[Start]:
@@ -203,9 +214,20 @@ def _grid(
             on_axis = axes == k
             r[:, on_axis] = _VIEWS[:, :, k] @ N[on_axis].T
         cost = ((r * weights) ** 2).sum(axis=1)
-        scored += [(float(cost[i]), int(i), float(log_focal)) for i in np.argsort(cost)[:4]]
+        for i in _apart(np.argsort(cost)[:40]):
+            scored.append((float(cost[i]), i, float(log_focal)))
     scored.sort()
-    return [(_VIEWS[i], log_focal) for _, i, log_focal in scored[:6]]
+    return [(_VIEWS[i], log_focal) for _, i, log_focal in scored[:9]]
+
+
+def _apart(best: NDArray[np.int64]) -> list[int]:
+    """Of the best views, at most four that differ by more than about 25 degrees."""
+    kept: list[int] = []
+    for i in best.tolist():
+        alike = [np.abs(np.einsum("ij,ij->j", _VIEWS[i], _VIEWS[k])).min() > 0.9 for k in kept]
+        if not any(alike):
+            kept.append(i)
+    return kept[:4]
 
 
 def _fixed_views() -> Array:

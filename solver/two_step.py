@@ -23,15 +23,17 @@ from .diagnosis import (
     size_of,
     unmet_annotations,
 )
+from .errors import SketchError
 from .faces import find_faces
 from .full import EXIF_LOG_SIGMA, FocalPrior, FullProblem, Pose
-from .graph import Face, SketchGraph
+from .graph import SketchGraph
 from .initial import USUAL_LOG_FOCAL, Start, lift_linear, starts
 from .least_squares import Minimum, minimise
 from .problem import Problem, build_problem
 from .residuals import annotation_residuals
 from .solution import Report, Solution, Status
 from .structure import Structure, build_structure
+from .symmetry import Geometry, mirrored
 from .values import Array
 from .world import Placement, camera_above_ground, ground_indices, place
 
@@ -42,6 +44,9 @@ UNSURE_FOCAL_SIGMA = 0.3
 USUAL_FOCAL_SIGMA = 0.3
 #: Readings whose misfits differ by less than this factor fit about equally well.
 CLOSE_CALL = 1.5
+#: Free coordinates beyond this are a tangle, not a sketch; a solve ends after so many seconds.
+MAX_COORDINATES = 1500
+MAX_SOLVE_S = 4.0
 #: A drawing further than this from every shape (image units, RMS) was not understood.
 LOST_MISFIT = 0.25
 
@@ -85,7 +90,14 @@ def _solve(graph: SketchGraph, stop: Stop | None) -> Solution:
     structure = build_structure(graph)
     if structure.contradiction:
         return _clash(graph)
-    lifted = _lift(graph, structure, stop)
+    if structure.n_coordinates > MAX_COORDINATES:
+        return Solution(
+            graph.digest,
+            Status.UNDERDETERMINED,
+            f"{structure.n_coordinates} coordinates are free, too many to solve for: mark right "
+            "angles and parallels.",
+        )
+    lifted = _lift(graph, structure, _with_deadline(stop))
     if lifted is None:
         return Solution(
             graph.digest,
@@ -93,6 +105,12 @@ def _solve(graph: SketchGraph, stop: Stop | None) -> Solution:
             "No 3D shape fits this drawing; check the annotations against it.",
         )
     return _describe(graph, lifted)
+
+
+def _with_deadline(stop: Stop | None) -> Stop:
+    """Stop when asked to, or when the solve takes too long."""
+    deadline = time.perf_counter() + MAX_SOLVE_S
+    return lambda: time.perf_counter() > deadline or (stop is not None and stop())
 
 
 def _nothing_to_lift(graph: SketchGraph) -> str | None:
@@ -187,8 +205,8 @@ def _describe(graph: SketchGraph, lifted: _Lifted) -> Solution:
     positions = placement.to_world(lifted.full.positions(pose))
     vertices = dict(zip(names, positions, strict=True))
     camera = _camera(graph, problem, pose, placement.rotation_world_from_object, placement)
-    faces = _faces(graph, vertices)
-    residuals = annotation_residuals(graph, vertices, faces)
+    geometry, on_faces = _with_copies(graph, vertices)
+    residuals = annotation_residuals(graph, vertices, geometry.faces)
     frame_freedoms = 0 if problem.structure.has_axes else 3
     open_ = freedoms(lifted.full, pose, names, frame_freedoms)
     conflicts = unmet_annotations(residuals, size_of(positions))
@@ -198,10 +216,10 @@ def _describe(graph: SketchGraph, lifted: _Lifted) -> Solution:
     return Solution(
         graph.digest,
         status,
-        message,
-        vertices,
-        dict(graph.edges),
-        faces,
+        message + on_faces,
+        geometry.vertices,
+        geometry.edges,
+        geometry.faces,
         {},
         camera,
         placement.scale_assumed,
@@ -216,11 +234,17 @@ def _describe(graph: SketchGraph, lifted: _Lifted) -> Solution:
     )
 
 
-def _faces(graph: SketchGraph, vertices: dict[str, Array]) -> dict[str, Face]:
+def _with_copies(graph: SketchGraph, vertices: dict[str, Array]) -> tuple[Geometry, str]:
+    """The geometry with its mirrored copies and its faces, and what to say of them."""
+    whole = mirrored(graph, Geometry(vertices, graph.edges, graph.faces or {}))
     if graph.faces is not None:
-        return dict(graph.faces)
+        return whole, ""
     traced = set(graph.construction)
-    return find_faces(vertices, {e: ends for e, ends in graph.edges.items() if e not in traced})
+    drawn = {e: ends for e, ends in whole.edges.items() if e.split("@")[0] not in traced}
+    try:
+        return replace(whole, faces=find_faces(whole.vertices, drawn)), ""
+    except SketchError as error:
+        return whole, f" No faces were looked for: {error}."
 
 
 def _camera(

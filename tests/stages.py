@@ -21,7 +21,7 @@ DECOY = ROOT / "tests" / "freecad" / "decoy_addon"
 #: pytest's status for "no tests were collected" is 5, so an empty stage fails as well.
 PYTEST = ["-p", "no:cacheprovider", "--quiet"]
 #: FreeCAD's own import hooks are older than Python's present way.
-FREECADS_OWN = ["-W", "ignore:.*find_spec.*:ImportWarning"]
+FREECADS_OWN = ["-W", "ignore::ImportWarning"]
 INSIDE = ["tests/freecad", "tests/canvas"]
 
 
@@ -68,17 +68,12 @@ def _python(module: str, *arguments: str, environment: Mapping[str, str] | None 
 
 
 def _inside(*, window: bool) -> int:
+    folders = [str(ROOT / folder) for folder in INSIDE]
     with tempfile.TemporaryDirectory(prefix="incontext-freecad-") as home:
         launch = Launch(
             call="pytest:main",
             home=Path(home),
-            arguments=[
-                *PYTEST,
-                *FREECADS_OWN,
-                "--rootdir",
-                str(ROOT),
-                *(str(ROOT / folder) for folder in INSIDE),
-            ],
+            arguments=[*PYTEST, *FREECADS_OWN, "--rootdir", str(ROOT), *folders],
             window=window,
             own_screen=window,
             addons=(DECOY,),

@@ -43,24 +43,23 @@ class Freedoms:
     focal_sigma: float
 
 
-def freedoms(full: FullProblem, x: Pose, names: list[str], frozen: int = 0) -> Freedoms:
+def freedoms(full: FullProblem, x: Pose, names: list[str]) -> Freedoms:
     """Null space of the reduced Jacobian at a solution.
 
     Parameters
     ----------
     full : FullProblem
     x : Pose
-    names : list of vertex ids
-    frozen : int
-        Freedoms of the frame that are no freedoms of the shape (3 without object axes).
+    names : list of ids
+        Of the vertices, then of the circles.
     """
     at = full.evaluate(x)
     # Constraints weigh as much as the drawing: only whether they act matters here. The gauge is
     # left free, so that the overall size is one of the directions found.
-    stacked = np.vstack([at.J, at.H])
+    stacked = np.vstack([at.J, at.H, full.turns_without_change(x)])
     scale = np.maximum(np.linalg.norm(stacked, axis=0), 1e-12)
     null = _null_space(stacked / scale) / scale
-    count = max(0, len(null) - frozen - 1)
+    count = max(0, len(null) - 1)
     loose = _loose(full, x, null, names) if count else ()
     return Freedoms(count, loose, _focal_sigma(full, x))
 

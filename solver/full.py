@@ -16,6 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from .energies.circle import Support, circle_support
 from .initial import LOG_FOCAL_RANGE
 from .least_squares import Evaluation
 from .problem import Problem
@@ -61,6 +62,7 @@ class FullProblem:
         self.prior = prior
         self.coordinate = problem.structure.coordinate
         self.m = problem.structure.n_coordinates
+        self.n_vertices = len(problem.points)
 
     def evaluate(self, x: Pose) -> Evaluation:
         """Residuals and Jacobians over (omega, phi, g)."""
@@ -69,7 +71,8 @@ class FullProblem:
         size = float(np.linalg.norm(x.g)) or 1.0
         gauge = np.zeros(4 + self.m)
         gauge[4:] = x.g / size
-        return Evaluation(r, J, h, H, np.outer(gauge, gauge))
+        turns = self.turns_without_change(x)
+        return Evaluation(r, J, h, H, np.outer(gauge, gauge) + turns.T @ turns)
 
     def merit(self, x: Pose, rho: float) -> float:
         """|r|^2 + rho |h|^2."""
@@ -95,20 +98,56 @@ class FullProblem:
         # The overall size is free; keeping it stops drift.
         g = g * (float(np.linalg.norm(x.g)) / size)
         moved = Pose(Rotation.from_rotvec(step[:3]).as_matrix() @ x.R, -float(np.log(kappa)), g)
+        if len(self.problem.circles) and not self._circles_visible(moved):
+            return None
         depth = moved.g[self.coordinate] @ moved.R[2]
         if len(depth) and float(depth.min()) <= 1e-4 * float(np.abs(depth).mean()):
             return None
         return moved
 
+    def _circles_visible(self, x: Pose) -> bool:
+        return self._supports(x).visible and bool((x.g[self.problem.structure.radius] > 0).all())
+
+    def turns_without_change(self, x: Pose) -> Array:
+        """Turns of the frame that change nothing, (t, 4 + m) rows of unknowns.
+
+        Without object axes the frame is free: about the vertical where circles show it, else
+        wholly.
+        """
+        structure = self.problem.structure
+        if structure.has_axes:
+            return np.zeros((0, 4 + self.m))
+        rows = np.zeros((3, 4 + self.m))
+        rows[:, :3] = np.eye(3)
+        if structure.vertical is None:
+            return rows
+        rows[0, :3] = x.R[:, structure.vertical]
+        return rows[:1]
+
     def positions(self, x: Pose) -> Array:
-        """Vertices in object axes, (n, 3)."""
+        """Vertices, then circles' centres, in object axes, (n + k, 3)."""
         return np.asarray(x.g[self.coordinate])
 
     def _residual(self, x: Pose) -> Array:
-        in_cam = x.g[self.coordinate] @ x.R.T
+        in_cam = self.positions(x)[: self.n_vertices] @ x.R.T
         projected = np.exp(x.log_focal) * in_cam[:, :2] / in_cam[:, 2:]
         r = (projected - self.problem.points) * self.problem.weights[:, None]
-        return np.append(r.reshape(-1), self._prior_residual(x))
+        parts = [r.reshape(-1), self._prior_residual(x)]
+        if len(self.problem.circles):
+            parts.append(self._circle_residual(self._supports(x)))
+        return np.concatenate(parts)
+
+    def _supports(self, x: Pose) -> Support:
+        centres = self.positions(x)[self.n_vertices :] @ x.R.T
+        radii = x.g[self.problem.structure.radius]
+        vertical = self.problem.structure.vertical
+        normal = x.R[:, 2 if vertical is None else vertical]
+        focal = float(np.exp(x.log_focal))
+        return circle_support(centres, radii, normal, focal, self.problem.circles.directions)
+
+    def _circle_residual(self, support: Support) -> Array:
+        circles = self.problem.circles
+        return np.asarray(((support.h - circles.supports) * circles.weights[:, None]).reshape(-1))
 
     def _prior_residual(self, x: Pose) -> Array:
         if self.prior is None:
@@ -116,7 +155,7 @@ class FullProblem:
         return np.array([DRAWING_SIGMA * (x.log_focal - self.prior.log_focal) / self.prior.sigma])
 
     def _reprojection(self, x: Pose) -> tuple[Array, Array]:
-        in_cam = x.g[self.coordinate] @ x.R.T
+        in_cam = self.positions(x)[: self.n_vertices] @ x.R.T
         n, f = len(in_cam), float(np.exp(x.log_focal))
         inverse_depth = 1 / in_cam[:, 2]
         projected = f * in_cam[:, :2] * inverse_depth[:, None]
@@ -134,15 +173,38 @@ class FullProblem:
         by_axis = (D @ x.R).reshape(-1, 3)
         rows = np.arange(2 * n)
         for k in range(3):
-            J[rows, 4 + np.repeat(self.coordinate[:, k], 2)] = by_axis[:, k]
+            J[rows, 4 + np.repeat(self.coordinate[:n, k], 2)] = by_axis[:, k]
         if self.prior is not None:
             prior_row = np.zeros((1, 4 + self.m))
             prior_row[0, 3] = -f * DRAWING_SIGMA / self.prior.sigma
             J = np.vstack([J, prior_row])
+        if len(self.problem.circles):
+            J = np.vstack([J, self._circle_jacobian(x)])
         r = self._residual(x)
         if self._focal_at_limit(x, float(J[:, 3] @ r)):
             J[:, 3] = 0.0
         return r, J
+
+    def _circle_jacobian(self, x: Pose) -> Array:
+        structure, support = self.problem.structure, self._supports(x)
+        weights = np.repeat(self.problem.circles.weights, support.h.shape[1])
+        centres = self.positions(x)[self.n_vertices :] @ x.R.T
+        normal = x.R[:, 2 if structure.vertical is None else structure.vertical]
+        by_centre, by_normal = support.by_centre, support.by_normal
+        J = np.zeros((support.h.size, 4 + self.m))
+        turn = np.cross(centres[:, None, :], by_centre) + np.cross(normal, by_normal)
+        J[:, :3] = turn.reshape(-1, 3)
+        f = np.exp(x.log_focal)
+        dolly = self._middle_depth(x) * by_centre[:, :, 2]
+        J[:, 3] = (-f * (support.by_log_focal + dolly)).reshape(-1)
+        rows = np.arange(len(J))
+        by_axis = (by_centre @ x.R).reshape(-1, 3)
+        each = support.h.shape[1]
+        for k in range(3):
+            columns = 4 + np.repeat(self.coordinate[self.n_vertices :, k], each)
+            J[rows, columns] = by_axis[:, k]
+        J[rows, 4 + np.repeat(structure.radius, each)] = support.by_radius.reshape(-1)
+        return J * weights[:, None]
 
     def _focal_at_limit(self, x: Pose, slope: float) -> bool:
         """Whether the drawing pulls the focal length beyond what cameras have."""

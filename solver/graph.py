@@ -143,9 +143,10 @@ class SketchGraph:
             u, v = self.camera.principal_point_px
             return (float(u), float(v))
         if self.photo is None:
-            if not self.vertices:
+            ends = [p for c in self.circles.values() for p in (*c.a, *c.b)]
+            if not self.vertices and not ends:
                 return (0.0, 0.0)
-            us, vs = zip(*self.vertices.values(), strict=True)
+            us, vs = zip(*self.vertices.values(), *ends, strict=True)
             return ((min(us) + max(us)) / 2, (min(vs) + max(vs)) / 2)
         if self.photo.principal_point_px is not None:
             return self.photo.principal_point_px

@@ -21,6 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from .circles import tilted_views
 from .problem import Problem
 from .structure import IntArray
 from .values import Array
@@ -50,9 +51,13 @@ def starts(problem: Problem) -> list[Start]:
     """Cameras that agree with the drawn directions, best first, Necker twins included."""
     axis = problem.structure.edge_axis
     along = axis >= 0
+    fixed = problem.log_focal_prior
+    if not problem.structure.has_axes:
+        views = tilted_views(problem.circles) if len(problem.circles) else [np.eye(3)]
+        focals = FOCAL_GUESSES if fixed is None else (fixed,)
+        return [Start(R, f, 0.0) for R in views for f in focals]
     lines, weights = _lines(problem, along)
     axes = axis[along]
-    fixed = problem.log_focal_prior
     if fixed is None and len(set(axes.tolist())) < 3:
         # Two directions tell little of the focal length: the full step finds it, from several.
         views = [_views_at(lines, weights, axes, float(f))[:2] for f in FOCAL_GUESSES]
@@ -250,7 +255,8 @@ def lift_linear(problem: Problem, R: Array, log_focal: float, pull: float) -> Ar
     (g,) array
         The shared coordinates, in units of the mean depth.
     """
-    rays = _rays(problem, log_focal) @ R
+    seen = np.vstack([problem.points, problem.circles.centres])
+    rays = _rays(seen, log_focal) @ R
     coordinate = problem.structure.coordinate
     m = problem.structure.n_coordinates
     A = np.zeros((m, m))
@@ -268,13 +274,15 @@ def lift_linear(problem: Problem, R: Array, log_focal: float, pull: float) -> Ar
             np.add.at(A, (coordinate[:, a], coordinate[:, b]), term)
     A[np.diag_indices(m)] += 1e-14
     g = np.asarray(np.linalg.solve(A, b_vector), dtype=np.float64)
+    depths = (g[coordinate] @ forward)[len(problem.points) :]
+    majors = np.linalg.norm(problem.circles.semi_axes, axis=2).max(axis=1, initial=0.0)
+    g[problem.structure.radius] = np.abs(depths) * majors / np.exp(log_focal)
     depth = g[coordinate] @ forward
     mean = float(np.mean(np.abs(depth))) if len(depth) else 1.0
     return g / mean if mean > 1e-12 else g
 
 
-def _rays(problem: Problem, log_focal: float) -> Array:
+def _rays(points: Array, log_focal: float) -> Array:
     """Unit rays in the camera frame, (n, 3)."""
-    f = np.exp(log_focal)
-    rays = np.hstack([problem.points / f, np.ones((len(problem.points), 1))])
+    rays = np.hstack([points / np.exp(log_focal), np.ones((len(points), 1))])
     return np.asarray(rays / np.linalg.norm(rays, axis=1, keepdims=True))

@@ -26,6 +26,7 @@ from .annotations import (
     RightAngle,
     SymmetryPlane,
 )
+from .circles import DrawnCircles, drawn_circles
 from .energies import ENERGIES, Linearised
 from .graph import SketchGraph
 from .structure import IntArray, Structure
@@ -75,6 +76,7 @@ class Problem:
         Drawn positions, image units from the principal point.
     weights : (n,) array
         How far each drawn position is to be trusted, 1 for imagined ones.
+    circles : DrawnCircles
     ends : (m, 2) int array
         Vertex indices of each edge.
     structure : Structure
@@ -86,6 +88,7 @@ class Problem:
 
     points: Array
     weights: Array
+    circles: DrawnCircles
     ends: IntArray
     structure: Structure
     blocks: tuple[Block, ...]
@@ -102,9 +105,11 @@ def build_problem(graph: SketchGraph, structure: Structure) -> Problem:
     focal = graph.camera.focal_px if graph.camera is not None else None
     if focal is None and graph.photo is not None:
         focal = graph.photo.focal_px
+    weights, traced = _weights(graph)
     return Problem(
         points=(pixels - np.array(graph.principal_point_px)) / unit,
-        weights=_weights(graph, pixels),
+        weights=weights,
+        circles=drawn_circles(graph, unit, traced),
         ends=ends.reshape(-1, 2),
         structure=structure,
         blocks=leftover_constraints(graph, structure),
@@ -117,20 +122,31 @@ def image_unit_px(graph: SketchGraph) -> float:
     """Half the longer side of the photo, px; without one, of the drawing."""
     if graph.photo is not None:
         return max(graph.photo.width_px, graph.photo.height_px) / 2
-    pixels = np.array(list(graph.vertices.values()), dtype=float).reshape(-1, 2)
+    pixels = _drawn_positions(graph)
     extent = float(np.ptp(pixels, axis=0).max()) if len(pixels) else 0.0
     # People draw an object over about 60 % of a page.
     return extent / 2 / 0.6 if extent > 0 else 1.0
 
 
-def _weights(graph: SketchGraph, pixels: Array) -> Array:
-    """Ratio of the two standard deviations where all edges of a vertex are traced, else 1."""
+def _drawn_positions(graph: SketchGraph) -> Array:
+    """Vertices and the ends of the ellipses' axes, px."""
+    ends = [p for c in graph.circles.values() for p in (*c.a, *c.b)]
+    return np.array([*graph.vertices.values(), *ends], dtype=float).reshape(-1, 2)
+
+
+def _weights(graph: SketchGraph) -> tuple[Array, float]:
+    """Weights of the vertices, and the weight of what is traced.
+
+    It is the ratio of the two standard deviations where all edges of a vertex are traced, else 1.
+    """
+    pixels = _drawn_positions(graph)
     traced = set(graph.construction)
     real = {v for id_, ends in graph.edges.items() if id_ in traced for v in ends}
     imagined = {v for id_, ends in graph.edges.items() if id_ not in traced for v in ends}
     diagonal = float(np.linalg.norm(np.ptp(pixels, axis=0))) if len(pixels) else 0.0
     ratio = max(1.0, IMAGINED_SIGMA * diagonal / TRACED_SIGMA_PX)
-    return np.array([ratio if v in real - imagined else 1.0 for v in graph.vertices])
+    weights = [ratio if v in real - imagined else 1.0 for v in graph.vertices]
+    return np.array(weights), ratio
 
 
 def leftover_constraints(graph: SketchGraph, structure: Structure) -> tuple[Block, ...]:

@@ -8,6 +8,7 @@ import numpy as np
 
 from .annotations import (
     Annotation,
+    Diameter,
     EqualLength,
     Ground,
     Length,
@@ -17,18 +18,21 @@ from .annotations import (
     SymmetryPlane,
 )
 from .graph import Face, SketchGraph
-from .solution import Residual
+from .solution import Residual, SolvedCircle
 from .values import Array
 
 
 def annotation_residuals(
-    graph: SketchGraph, vertices_mm: Mapping[str, Array], faces: Mapping[str, Face]
+    graph: SketchGraph,
+    vertices_mm: Mapping[str, Array],
+    faces: Mapping[str, Face],
+    circles: Mapping[str, SolvedCircle],
 ) -> dict[str, Residual]:
-    """Residuals of all annotations that speak of vertices and edges.
+    """Residuals of all annotations.
 
     Right angles and parallels in degrees, all else in mm; for groups the largest deviation.
     """
-    measure = _Measure(graph, vertices_mm, faces)
+    measure = _Measure(graph, vertices_mm, faces, circles)
     found = {}
     for id_, annotation in graph.annotations.items():
         value = measure.of(annotation)
@@ -39,9 +43,13 @@ def annotation_residuals(
 
 class _Measure:
     def __init__(
-        self, graph: SketchGraph, at: Mapping[str, Array], faces: Mapping[str, Face]
+        self,
+        graph: SketchGraph,
+        at: Mapping[str, Array],
+        faces: Mapping[str, Face],
+        circles: Mapping[str, SolvedCircle],
     ) -> None:
-        self.graph, self.at, self.faces = graph, at, faces
+        self.graph, self.at, self.faces, self.circles = graph, at, faces, circles
 
     def of(self, a: Annotation) -> float | None:
         if isinstance(a, RightAngle):
@@ -53,6 +61,8 @@ class _Measure:
             return float(np.ptp([self._length(e) for e in a.edges]))
         if isinstance(a, Length):
             return abs(self._length(a.edge) - a.length_mm)
+        if isinstance(a, Diameter):
+            return abs(2 * self.circles[a.circle].radius_mm - a.diameter_mm)
         if isinstance(a, Ground):
             return float(max(abs(self.at[v][2]) for v in a.vertices))
         if isinstance(a, SymmetryPlane):

@@ -44,9 +44,13 @@ class Structure:
         The axis of each edge, -1 for edges along none.
     edge_across : (m, 3) bool array
         Whether the edge is perpendicular to the axis by construction.
-    coordinate : (n, 3) int array
-        Index of the shared coordinate of each vertex along each axis.
+    coordinate : (n + k, 3) int array
+        Index of the shared coordinate along each axis, of each vertex and then of each circle's
+        centre.
+    radius : (k,) int array
+        Index of each circle's radius, behind the coordinates.
     n_coordinates : int
+        Coordinates and radii together.
     vertical : int or None
     has_axes : bool
         False where no two perpendicular classes are known; the axes are then arbitrary.
@@ -59,6 +63,7 @@ class Structure:
     edge_axis: IntArray
     edge_across: NDArray[np.bool_]
     coordinate: IntArray
+    radius: IntArray
     n_coordinates: int
     vertical: int | None
     has_axes: bool
@@ -83,15 +88,20 @@ def build_structure(
     edge_axis, edge_across = _edges_on_axes(graph, directions, axis_of_class)
     ground = _ground_vertices(said)
     vertical = _vertical_axis(graph, edge_axis, edge_across, ground) if axes else None
+    if graph.circles and vertical is None:
+        # Circles are horizontal: some axis must be vertical.
+        vertical = _most_upright_axis(graph, edge_axis) if axes else 2
     coordinate = _share_coordinates(graph, edge_axis, edge_across, said, vertical)
     edge_axis, edge_across, collapsed = _edges_by_coordinates(graph, coordinate)
+    n_shared = int(coordinate.max()) + 1 if coordinate.size else 0
     return Structure(
         directions=directions,
         axis_of_class=axis_of_class,
         edge_axis=edge_axis,
         edge_across=edge_across,
         coordinate=coordinate,
-        n_coordinates=int(coordinate.max()) + 1 if coordinate.size else 0,
+        radius=n_shared + np.arange(len(graph.circles)),
+        n_coordinates=n_shared + len(graph.circles),
         vertical=vertical,
         has_axes=bool(axes),
         contradiction=directions.contradiction or collapsed,
@@ -168,6 +178,18 @@ def _vertical_axis(
     return best if sure else None
 
 
+def _most_upright_axis(graph: SketchGraph, edge_axis: IntArray) -> int:
+    """The axis whose edges are drawn most upright, by their mean lean."""
+    leans = np.full(3, np.inf)
+    for k in range(3):
+        drawn = [ends for ends, a in zip(graph.edges.values(), edge_axis, strict=True) if a == k]
+        deltas = [np.subtract(graph.vertices[w], graph.vertices[v]) for v, w in drawn]
+        if deltas:
+            total = np.sum([np.abs(d) for d in deltas], axis=0)
+            leans[k] = np.arctan2(total[0], total[1])
+    return int(np.argmin(leans))
+
+
 def _share_coordinates(
     graph: SketchGraph,
     edge_axis: IntArray,
@@ -176,12 +198,19 @@ def _share_coordinates(
     vertical: int | None,
 ) -> IntArray:
     index = {v: i for i, v in enumerate(graph.vertices)}
-    sets = UnionFind(3 * len(index))
+    n_points = len(index) + len(graph.circles)
+    circle = {c: len(index) + i for i, c in enumerate(graph.circles)}
+    sets = UnionFind(3 * n_points)
     for across, (v, w) in zip(edge_across, graph.edges.values(), strict=True):
         for axis in np.flatnonzero(across).tolist():
             sets.union(3 * index[v] + axis, 3 * index[w] + axis)
     if vertical is not None:
-        _share(sets, [3 * index[v] + vertical for v in _ground_vertices(said)])
+        on_ground = [index[v] for v in _ground_vertices(said)]
+        on_ground += [circle[c] for c in ground_circles(graph)]
+        _share(sets, [3 * i + vertical for i in on_ground])
+        for r in graph.revolutions.values():
+            for k in {0, 1, 2} - {vertical}:
+                _share(sets, [3 * circle[c] + k for c in (r.ground, r.bottom, r.top)])
     touching: dict[str, list[str]] = {}
     for annotation in said:
         if isinstance(annotation, OnFace):
@@ -195,7 +224,7 @@ def _share_coordinates(
             _share(sets, [3 * index[v] + k for v in in_plane])
     labels = np.array(sets.labels(), dtype=np.int64)
     _, coordinate = np.unique(labels, return_inverse=True)
-    return coordinate.reshape(len(index), 3).astype(np.int64)
+    return coordinate.reshape(n_points, 3).astype(np.int64)
 
 
 def _share(sets: UnionFind, members: list[int]) -> None:
@@ -213,6 +242,11 @@ def _square_axes(
     along = {axis_between.get(frozenset((loop[k - 1], loop[k])), -1) for k in range(len(loop))}
     shared = [k for k in range(3) if len({sets.find(3 * index[v] + k) for v in loop}) == 1]
     return [k for k in range(3) if k in shared or {0, 1, 2} - {k} <= along]
+
+
+def ground_circles(graph: SketchGraph) -> list[str]:
+    """The circles that stand on the ground: each revolution's first ([Lau10] 4.2)."""
+    return sorted({r.ground for r in graph.revolutions.values()})
 
 
 def _ground_vertices(said: tuple[Annotation, ...]) -> list[str]:

@@ -16,6 +16,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from .camera import Camera
+from .circles import flat_circles
 from .diagnosis import (
     Freedoms,
     clashing_annotations,
@@ -31,14 +32,22 @@ from .initial import USUAL_LOG_FOCAL, Start, lift_linear, starts
 from .least_squares import Minimum, minimise
 from .problem import Problem, build_problem
 from .residuals import annotation_residuals
-from .solution import Report, Solution, Status
+from .revolution import in_side_plane, without_profiles
+from .solution import Report, Solution, SolvedCircle, Status
 from .structure import Structure, build_structure
 from .symmetry import Geometry, mirrored
 from .values import Array
-from .world import Placement, camera_above_ground, ground_indices, place
+from .world import (
+    Lifted,
+    Placement,
+    camera_above_ground,
+    ground_indices,
+    place,
+    up_direction,
+)
 
 #: Views that are carried on to the full step.
-MAX_STARTS = 6
+MAX_STARTS = 9
 #: A log focal length less certain than this counts as not determined by the sketch.
 UNSURE_FOCAL_SIGMA = 0.3
 USUAL_FOCAL_SIGMA = 0.3
@@ -87,7 +96,8 @@ def _solve(graph: SketchGraph, stop: Stop | None) -> Solution:
     nothing = _nothing_to_lift(graph)
     if nothing is not None:
         return Solution(graph.digest, Status.UNDERDETERMINED, nothing)
-    structure = build_structure(graph)
+    core = without_profiles(graph)
+    structure = build_structure(core)
     if structure.contradiction:
         return _clash(graph)
     if structure.n_coordinates > MAX_COORDINATES:
@@ -97,14 +107,14 @@ def _solve(graph: SketchGraph, stop: Stop | None) -> Solution:
             f"{structure.n_coordinates} coordinates are free, too many to solve for: mark right "
             "angles and parallels.",
         )
-    lifted = _lift(graph, structure, _with_deadline(stop))
+    lifted = _lift(core, structure, _with_deadline(stop))
     if lifted is None:
         return Solution(
             graph.digest,
             Status.NOT_CONVERGED,
             "No 3D shape fits this drawing; check the annotations against it.",
         )
-    return _describe(graph, lifted)
+    return _describe(graph, core, lifted)
 
 
 def _with_deadline(stop: Stop | None) -> Stop:
@@ -114,10 +124,12 @@ def _with_deadline(stop: Stop | None) -> Stop:
 
 
 def _nothing_to_lift(graph: SketchGraph) -> str | None:
-    if graph.circles or graph.revolutions:
-        return "Circles are not lifted yet; this version solves straight edges only."
-    if not graph.edges:
+    if not graph.edges and not graph.circles:
         return "The sketch has no edges: draw the object's edges over the photo."
+    if flat := flat_circles(graph):
+        return f"{_and(flat)} drawn without width or height: pull the ellipse open."
+    if graph.circles:
+        return None
     pixels = np.array(list(graph.vertices.values()))
     spread = np.linalg.svd(pixels - pixels.mean(axis=0), compute_uv=False)
     if len(pixels) < 3 or spread[1] <= 1e-6 * max(float(spread[0]), 1e-300):
@@ -153,7 +165,7 @@ def _focal_sigma(lifted: _Lifted) -> float:
 
 
 def _indices(lifted: _Lifted) -> list[str]:
-    return [str(i) for i in range(len(lifted.problem.points))]
+    return [str(i) for i in range(len(lifted.full.coordinate))]
 
 
 def _best(
@@ -162,7 +174,7 @@ def _best(
     """The reading seen from above that fits the drawing best."""
     found = []
     full = FullProblem(problem, prior)
-    for start in _views(problem)[:MAX_STARTS]:
+    for start in starts(problem)[:MAX_STARTS]:
         pose = _initial_pose(problem, start)
         if pose is None:
             continue
@@ -181,13 +193,6 @@ def _best(
     return min(close, key=lambda c: (not c.above, c.minimum.cost))
 
 
-def _views(problem: Problem) -> list[Start]:
-    if problem.structure.has_axes:
-        return starts(problem)
-    known = problem.log_focal_prior
-    return [Start(np.eye(3), USUAL_LOG_FOCAL if known is None else known, 0.0)]
-
-
 def _initial_pose(problem: Problem, start: Start) -> Pose | None:
     """The linear lift, with a stronger pull to equal depths where vertices fell behind the eye."""
     for pull in (1e-3, 1e-2, 1e-1, 1.0):
@@ -198,20 +203,21 @@ def _initial_pose(problem: Problem, start: Start) -> Pose | None:
     return None
 
 
-def _describe(graph: SketchGraph, lifted: _Lifted) -> Solution:
+def _describe(graph: SketchGraph, core: SketchGraph, lifted: _Lifted) -> Solution:
     pose, problem = lifted.minimum.x, lifted.problem
-    names = list(graph.vertices)
-    placement = place(graph, problem, pose)
-    positions = placement.to_world(lifted.full.positions(pose))
-    vertices = dict(zip(names, positions, strict=True))
-    camera = _camera(graph, problem, pose, placement.rotation_world_from_object, placement)
+    shape = _shape(graph, core, lifted)
+    placement = place(graph, core, problem, pose, shape)
+    vertices = placement.all_to_world(shape.vertices)
+    circles = {
+        c: SolvedCircle(x, placement.scale * shape.radii[c])
+        for c, x in placement.all_to_world(shape.centres).items()
+    }
+    camera = _camera(graph, problem, pose, placement)
     geometry, on_faces = _with_copies(graph, vertices)
-    residuals = annotation_residuals(graph, vertices, geometry.faces)
-    frame_freedoms = 0 if problem.structure.has_axes else 3
-    open_ = freedoms(lifted.full, pose, names, frame_freedoms)
-    conflicts = unmet_annotations(residuals, size_of(positions))
-    offsets = camera.project(positions) - np.array(list(graph.vertices.values()))
-    reprojection = dict(zip(names, np.linalg.norm(offsets, axis=1).tolist(), strict=True))
+    residuals = annotation_residuals(graph, vertices, geometry.faces, circles)
+    open_ = freedoms(lifted.full, pose, [*core.vertices, *core.circles])
+    extent = np.array([*vertices.values(), *(c.center_mm for c in circles.values())])
+    conflicts = unmet_annotations(residuals, size_of(extent.reshape(-1, 3)))
     status, message = _verdict(lifted, open_, conflicts)
     return Solution(
         graph.digest,
@@ -220,18 +226,47 @@ def _describe(graph: SketchGraph, lifted: _Lifted) -> Solution:
         geometry.vertices,
         geometry.edges,
         geometry.faces,
-        {},
+        circles,
         camera,
         placement.scale_assumed,
         Report(
             degrees_of_freedom=open_.count,
             loose=open_.loose,
             residuals=residuals,
-            reprojection_px=reprojection,
+            reprojection_px=_reprojection(graph, camera, vertices),
             conflicts=conflicts,
             iterations=lifted.minimum.iterations,
         ),
     )
+
+
+def _shape(graph: SketchGraph, core: SketchGraph, lifted: _Lifted) -> Lifted:
+    """The shape in object axes, profiles included."""
+    pose, problem = lifted.minimum.x, lifted.problem
+    c = lifted.full.positions(pose)
+    vertices = dict(zip(core.vertices, c, strict=False))
+    centres = dict(zip(core.circles, c[len(core.vertices) :], strict=True))
+    radii = dict(zip(core.circles, pose.g[problem.structure.radius].tolist(), strict=True))
+    up = up_direction(core, problem, pose)
+    for revolution in graph.revolutions.values():
+        missing = [v for v in revolution.profile if v not in core.vertices]
+        pixels = np.array([graph.vertices[v] for v in missing]).reshape(-1, 2)
+        seen = (pixels - np.array(graph.principal_point_px)) / problem.px_per_unit
+        in_cam = np.hstack([seen / np.exp(pose.log_focal), np.ones((len(seen), 1))])
+        side = in_side_plane(in_cam @ pose.R, centres[revolution.ground], up)
+        vertices |= dict(zip(missing, side, strict=True))
+    # In the sketch's own order.
+    return Lifted({v: vertices[v] for v in graph.vertices}, centres, radii)
+
+
+def _reprojection(
+    graph: SketchGraph, camera: Camera, vertices: dict[str, Array]
+) -> dict[str, float]:
+    if not vertices:
+        return {}
+    offsets = camera.project(np.array(list(vertices.values())))
+    offsets = offsets - np.array([graph.vertices[v] for v in vertices])
+    return dict(zip(vertices, np.linalg.norm(offsets, axis=1).tolist(), strict=True))
 
 
 def _with_copies(graph: SketchGraph, vertices: dict[str, Array]) -> tuple[Geometry, str]:
@@ -247,10 +282,8 @@ def _with_copies(graph: SketchGraph, vertices: dict[str, Array]) -> tuple[Geomet
         return whole, f" No faces were looked for: {error}."
 
 
-def _camera(
-    graph: SketchGraph, problem: Problem, pose: Pose, world_from_object: Array, placement: Placement
-) -> Camera:
-    rotation = pose.R @ world_from_object.T
+def _camera(graph: SketchGraph, problem: Problem, pose: Pose, placement: Placement) -> Camera:
+    rotation = pose.R @ placement.rotation_world_from_object.T
     return Camera(
         focal_px=float(np.exp(pose.log_focal)) * problem.px_per_unit,
         principal_point_px=np.array(graph.principal_point_px),
@@ -272,7 +305,7 @@ def _verdict(lifted: _Lifted, open_: Freedoms, conflicts: tuple[str, ...]) -> tu
             f"{open_.count} freedom{s} left: add a right angle, parallel or ground vertex "
             f"at {_and(open_.loose[:4])}.",
         )
-    misfit = float(np.sqrt(lifted.minimum.cost / max(1, len(lifted.problem.points))))
+    misfit = float(np.sqrt(lifted.minimum.cost / max(1, len(lifted.full.coordinate))))
     if not lifted.minimum.converged or misfit > LOST_MISFIT:
         return (
             Status.NOT_CONVERGED,

@@ -8,9 +8,11 @@ from enum import StrEnum
 
 import numpy as np
 
-from .annotations import Ground, Length, OnFace, RightAngle, targets_of
+from .annotations import Diameter, Ground, Length, OnFace, RightAngle, targets_of
+from .circles import flat_circles
 from .diagnosis import clashing_annotations
 from .graph import SketchGraph
+from .revolution import without_profiles
 from .structure import build_structure
 
 #: Drawn vertices nearer than this to each other are probably meant to be one, px.
@@ -79,12 +81,8 @@ def _no_edges(graph: SketchGraph) -> Iterator[Finding]:
 
 
 def _circles(graph: SketchGraph) -> Iterator[Finding]:
-    if graph.circles:
-        yield _error(
-            f"circles are not lifted by this version ({', '.join(graph.circles)}); "
-            "try: straight edges",
-            *graph.circles,
-        )
+    for c in flat_circles(graph):
+        yield _error(f"circle {c} has no width or no height; try: pull the ellipse open", c)
 
 
 def _clashes(graph: SketchGraph) -> Iterator[Finding]:
@@ -95,6 +93,7 @@ def _clashes(graph: SketchGraph) -> Iterator[Finding]:
 
 def _unused_vertices(graph: SketchGraph) -> Iterator[Finding]:
     used = {v for ends in graph.edges.values() for v in ends}
+    used |= {v for r in graph.revolutions.values() for v in r.profile}
     for v in graph.vertices:
         if v not in used:
             yield _warning(f"a vertex without edges ({v}); try: delete it", v)
@@ -131,7 +130,8 @@ def _outside_photo(graph: SketchGraph) -> Iterator[Finding]:
 
 
 def _no_right_angles(graph: SketchGraph) -> Iterator[Finding]:
-    if graph.edges and not any(isinstance(a, RightAngle) for a in graph.annotations.values()):
+    straight = without_profiles(graph).edges
+    if straight and not any(isinstance(a, RightAngle) for a in graph.annotations.values()):
         yield _warning("no right angle is marked; try: click the corners that are square")
 
 
@@ -166,12 +166,19 @@ def _parts(graph: SketchGraph) -> list[set[str]]:
 
 
 def _no_ground(graph: SketchGraph) -> Iterator[Finding]:
-    if graph.edges and not any(isinstance(a, Ground) for a in graph.annotations.values()):
+    drawn = graph.edges or graph.circles
+    if (
+        drawn
+        and not graph.revolutions
+        and not any(isinstance(a, Ground) for a in graph.annotations.values())
+    ):
         yield _warning("no vertex stands on the ground; try: mark those that do")
 
 
 def _no_length(graph: SketchGraph) -> Iterator[Finding]:
-    if graph.edges and not any(isinstance(a, Length) for a in graph.annotations.values()):
+    if graph.edges and not any(
+        isinstance(a, Length | Diameter) for a in graph.annotations.values()
+    ):
         yield _warning("no length is given, so the longest edge will be 100 mm; try: give one")
 
 

@@ -5,20 +5,22 @@ The drawing and the annotations leave the world's frame open; it is chosen so:
 - z is up and the ground is z = 0; without ground vertices the lowest vertex is at z = 0;
 - x runs along the horizontal object axis that points most to the right in the photo, y away from
   the camera;
-- the smallest x and the smallest y of the vertices are 0;
-- the size follows from the first length; without one the longest edge is 100 mm.
+- the smallest x and y of the vertices are 0; a surface of revolution has its axis there;
+- the size follows from the lengths and diameters; without any the longest edge is 100 mm.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
-from .annotations import Ground, Length
+from .annotations import Diameter, Ground, Length
 from .full import Pose
 from .graph import SketchGraph
 from .problem import Problem
+from .structure import ground_circles
 from .values import Array
 
 ASSUMED_LONGEST_MM = 100.0
@@ -41,6 +43,13 @@ class Placement:
         return np.asarray(
             self.scale * (c @ self.rotation_world_from_object.T) + self.translation_mm
         )
+
+    def all_to_world(self, points: Mapping[str, Array]) -> dict[str, Array]:
+        """World positions of named points, mm."""
+        if not points:
+            return {}
+        moved = self.to_world(np.array(list(points.values())))
+        return dict(zip(points, moved, strict=True))
 
 
 def up_direction(graph: SketchGraph, problem: Problem, pose: Pose) -> Array:
@@ -85,22 +94,57 @@ def camera_above_ground(graph: SketchGraph, problem: Problem, pose: Pose) -> boo
 
 
 def ground_indices(graph: SketchGraph) -> list[int]:
-    """Indices of the annotated ground vertices."""
+    """Indices of the points on the ground: annotated vertices, ground circles' centres."""
     index = {v: i for i, v in enumerate(graph.vertices)}
+    circle = {c: len(index) + i for i, c in enumerate(graph.circles)}
     said = {v for a in graph.annotations.values() if isinstance(a, Ground) for v in a.vertices}
-    return sorted(index[v] for v in said)
+    return sorted([*(index[v] for v in said), *(circle[c] for c in ground_circles(graph))])
 
 
-def place(graph: SketchGraph, problem: Problem, pose: Pose) -> Placement:
-    """Choose the world's frame and size."""
-    c = pose.g[problem.structure.coordinate]
-    W = _axes(problem, pose, up_direction(graph, problem, pose))
-    scale, assumed = _scale(graph, problem, c)
-    turned = scale * (c @ W.T)
-    lowest = turned.min(axis=0) if len(turned) else np.zeros(3)
-    ground = ground_indices(graph)
+@dataclass(frozen=True, slots=True, eq=False)
+class Lifted:
+    """The lifted shape in object axes, the eye at the origin, of free size.
+
+    Parameters
+    ----------
+    vertices, centres : mappings of id to (3,) array
+    radii : mapping of circle id to float
+    """
+
+    vertices: Mapping[str, Array]
+    centres: Mapping[str, Array]
+    radii: Mapping[str, float]
+
+
+def place(
+    graph: SketchGraph, core: SketchGraph, problem: Problem, pose: Pose, lifted: Lifted
+) -> Placement:
+    """Choose the world's frame and size.
+
+    Parameters
+    ----------
+    graph : SketchGraph
+        The whole sketch, whose lengths set the size.
+    core : SketchGraph
+        The part of it that the problem and the pose speak of.
+    problem : Problem
+    pose : Pose
+    lifted : Lifted
+        The whole shape.
+    """
+    W = _axes(problem, pose, up_direction(core, problem, pose))
+    scale, assumed = _scale(graph, lifted)
+    points = np.array([*lifted.vertices.values(), *lifted.centres.values()]).reshape(-1, 3)
+    turned = scale * (points @ W.T)
+    lowest = turned.min(axis=0)
+    ground = ground_indices(core)
     if ground:
-        lowest[2] = float(turned[ground, 2].mean())
+        on_ground = pose.g[problem.structure.coordinate][ground]
+        lowest[2] = scale * float((on_ground @ W[2]).mean())
+    if graph.revolutions:
+        # What was turned stands on the world's own axis.
+        first = next(iter(graph.revolutions.values()))
+        lowest[:2] = scale * (W @ lifted.centres[first.ground])[:2]
     return Placement(W, scale, -lowest, assumed)
 
 
@@ -119,13 +163,18 @@ def _axes(problem: Problem, pose: Pose, up: Array) -> Array:
     return np.array([x, y, up])
 
 
-def _scale(graph: SketchGraph, problem: Problem, c: Array) -> tuple[float, bool]:
-    found = np.linalg.norm(c[problem.ends[:, 1]] - c[problem.ends[:, 0]], axis=1)
-    index = {e: i for i, e in enumerate(graph.edges)}
+def _scale(graph: SketchGraph, lifted: Lifted) -> tuple[float, bool]:
+    length = {
+        e: float(np.linalg.norm(lifted.vertices[w] - lifted.vertices[v]))
+        for e, (v, w) in graph.edges.items()
+    }
     given = [
-        (found[index[a.edge]], a.length_mm)
+        (length[a.edge], a.length_mm) for a in graph.annotations.values() if isinstance(a, Length)
+    ]
+    given += [
+        (2 * lifted.radii[a.circle], a.diameter_mm)
         for a in graph.annotations.values()
-        if isinstance(a, Length)
+        if isinstance(a, Diameter)
     ]
     if given:
         drawn, wanted = np.array(given).T
@@ -134,5 +183,5 @@ def _scale(graph: SketchGraph, problem: Problem, c: Array) -> tuple[float, bool]
             return 1.0, False
         # Exact for one length or lengths in proportion, a fair mean for others.
         return float(np.sum(weight) / np.sum(weight**2)), False
-    longest = float(found.max(initial=0.0))
+    longest = max([*length.values()] or [2 * r for r in lifted.radii.values()], default=0.0)
     return (ASSUMED_LONGEST_MM / longest if longest > 0 else 1.0), True

@@ -53,9 +53,9 @@ def starts(problem: Problem) -> list[Start]:
     along = axis >= 0
     fixed = problem.log_focal_prior
     if not problem.structure.has_axes:
-        views = tilted_views(problem.circles) if len(problem.circles) else [np.eye(3)]
+        tilted = tilted_views(problem.circles) if len(problem.circles) else [np.eye(3)]
         focals = FOCAL_GUESSES if fixed is None else (fixed,)
-        return [Start(R, f, 0.0) for R in views for f in focals]
+        return [Start(R, f, 0.0) for R in tilted for f in focals]
     lines, weights = _lines(problem, along)
     axes = axis[along]
     if fixed is None and len(set(axes.tolist())) < 3:

@@ -92,7 +92,11 @@ def _refine_all(
     candidates: list[tuple[Array, float]],
     fixed: float | None,
 ) -> list[Start]:
-    return _distinct([_refine(lines, weights, axes, R, f, fixed) for R, f in candidates])
+    if not candidates:
+        return []
+    views = np.array([R for R, _ in candidates])
+    log_focals = np.array([f if fixed is None else fixed for _, f in candidates])
+    return _distinct(_refine(_Lines(lines, weights, axes), views, log_focals, fixed is not None))
 
 
 def _distinct(found: list[Start]) -> list[Start]:
@@ -112,53 +116,65 @@ def _lines(problem: Problem, chosen: NDArray[np.bool_]) -> tuple[Array, Array]:
     return lines, np.linalg.norm(q - p, axis=1)
 
 
-def _normals(lines: Array, log_focal: float) -> tuple[Array, Array]:
-    """Unit normals of the planes through the eye, and their derivative by log focal length."""
-    f = np.exp(log_focal)
-    N = lines * np.array([f, f, 1.0])
-    dN = lines * np.array([f, f, 0.0])
-    length = np.maximum(np.linalg.norm(N, axis=1, keepdims=True), 1e-300)
+def _normals(lines: Array, log_focals: Array) -> tuple[Array, Array]:
+    """Unit normals (k, m, 3) of the planes through the eye, and derivatives by log focal length."""
+    f = np.exp(log_focals)[:, None, None]
+    N = lines * np.concatenate([f, f, np.ones_like(f)], axis=2)
+    dN = lines * np.concatenate([f, f, np.zeros_like(f)], axis=2)
+    length = np.maximum(np.sqrt(np.einsum("kmi,kmi->km", N, N)), 1e-300)[..., None]
     N, dN = N / length, dN / length
-    return N, dN - N * np.einsum("ij,ij->i", N, dN)[:, None]
+    return N, dN - N * np.einsum("kmi,kmi->km", N, dN)[..., None]
 
 
-def _refine(
-    lines: Array, weights: Array, axes: IntArray, R: Array, log_focal: float, fixed: float | None
-) -> Start:
-    """Levenberg-Marquardt on r_e = w_e N_e . D_e over rotation and log focal length."""
-    damping = 1e-3
-    cost = _misfit(lines, weights, axes, R, log_focal)
-    for _ in range(30):
-        N, dN = _normals(lines, log_focal)
-        D = R[:, axes].T
-        r = weights * np.einsum("ij,ij->i", N, D)
-        J = np.hstack([np.cross(D, N), np.einsum("ij,ij->i", dN, D)[:, None]]) * weights[:, None]
-        if fixed is not None:
-            J[:, 3] = 0.0
-        A = J.T @ J
-        A[np.diag_indices(4)] += damping * (np.diag(A) + 1e-9)
-        step = -np.linalg.solve(A, J.T @ r)
-        if fixed is not None:
-            step[3] = 0.0
-        new_R = Rotation.from_rotvec(step[:3]).as_matrix() @ R
-        new_log_focal = float(np.clip(log_focal + np.clip(step[3], -0.7, 0.7), *LOG_FOCAL_RANGE))
-        new_cost = _misfit(lines, weights, axes, new_R, new_log_focal)
-        if new_cost <= cost:
-            small = cost - new_cost <= 1e-12 * cost + 1e-30
-            R, log_focal, cost = new_R, new_log_focal, new_cost
-            damping = max(damping / 10, 1e-12)
-            if small:
-                break
-        else:
-            damping *= 10
-            if damping > 1e6:
-                break
-    return Start(R, log_focal, cost)
+@dataclass(frozen=True, slots=True, eq=False)
+class _Lines:
+    """Lines (m, 3), their weights (m,) and the axis (m,) along which each runs."""
+
+    lines: Array
+    weights: Array
+    axes: IntArray
+
+    def residuals(self, R: Array, log_focals: Array) -> Array:
+        """w_e N_e . D_e for k cameras, (k, m)."""
+        N, _ = _normals(self.lines, log_focals)
+        return np.asarray(self.weights * np.einsum("kmi,kim->km", N, R[:, :, self.axes]))
+
+    def linearised(self, R: Array, log_focals: Array) -> tuple[Array, Array]:
+        """Residuals (k, m), and derivatives (k, m, 4) by a turn and by the log focal length."""
+        N, dN = _normals(self.lines, log_focals)
+        D = np.swapaxes(R[:, :, self.axes], 1, 2)
+        r = self.weights * np.einsum("kmi,kmi->km", N, D)
+        by_focal = np.einsum("kmi,kmi->km", dN, D)[..., None]
+        J = np.concatenate([np.cross(D, N), by_focal], axis=2)
+        return r, J * self.weights[:, None]
 
 
-def _misfit(lines: Array, weights: Array, axes: IntArray, R: Array, log_focal: float) -> float:
-    N, _ = _normals(lines, log_focal)
-    return float(np.sum((weights * np.einsum("ij,ij->i", N, R[:, axes].T)) ** 2))
+def _refine(drawn: _Lines, R: Array, log_focals: Array, focal_known: bool) -> list[Start]:
+    """Levenberg-Marquardt on r_e = w_e N_e . D_e for all cameras at once."""
+    damping = np.full(len(R), 1e-3)
+    cost = (drawn.residuals(R, log_focals) ** 2).sum(axis=1)
+    for _ in range(25):
+        r, J = drawn.linearised(R, log_focals)
+        if focal_known:
+            J[..., 3] = 0.0
+        A = np.einsum("kmi,kmj->kij", J, J)
+        diagonal = np.einsum("kii->ki", A)
+        A = A + (damping[:, None] * (diagonal + 1e-9))[..., None] * np.eye(4)
+        A[:, 3, 3] += float(focal_known)
+        step = -np.linalg.solve(A, np.einsum("kmi,km->ki", J, r)[..., None])[..., 0]
+        new_R = Rotation.from_rotvec(step[:, :3]).as_matrix() @ R
+        new_log = np.clip(log_focals + np.clip(step[:, 3], -0.7, 0.7), *LOG_FOCAL_RANGE)
+        new_cost = (drawn.residuals(new_R, new_log) ** 2).sum(axis=1)
+        better = new_cost <= cost
+        settled = ~better | (cost - new_cost <= 1e-10 * cost + 1e-30)
+        done = bool((settled & (better | (damping > 1.0))).all())
+        R = np.where(better[:, None, None], new_R, R)
+        log_focals = np.where(better, new_log, log_focals)
+        cost = np.where(better, new_cost, cost)
+        damping = np.where(better, np.maximum(damping / 10, 1e-12), damping * 10)
+        if done:
+            break
+    return [Start(*found) for found in zip(R, log_focals.tolist(), cost.tolist(), strict=True)]
 
 
 def _same_view(a: Start, b: Start) -> bool:
@@ -212,13 +228,10 @@ def _grid(
     """The best few of a fixed set of views, for drawings that the formula does not read."""
     focals = FOCAL_GUESSES if fixed is None else (fixed,)
     scored = []
+    drawn = _Lines(lines, weights, axes)
     for log_focal in focals:
-        N, _ = _normals(lines, float(log_focal))
-        r = np.zeros((len(_VIEWS), len(lines)))
-        for k in range(3):
-            on_axis = axes == k
-            r[:, on_axis] = _VIEWS[:, :, k] @ N[on_axis].T
-        cost = ((r * weights) ** 2).sum(axis=1)
+        r = drawn.residuals(_VIEWS, np.array([log_focal]))
+        cost = (r**2).sum(axis=1)
         for i in _apart(np.argsort(cost)[:40]):
             scored.append((float(cost[i]), i, float(log_focal)))
     scored.sort()

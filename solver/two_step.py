@@ -48,6 +48,8 @@ from .world import (
 
 #: Views that are carried on to the full step.
 MAX_STARTS = 9
+#: Views whose lines fit so many times worse than the best ones are not carried on.
+HOPELESS = 100.0
 #: A log focal length less certain than this counts as not determined by the sketch.
 UNSURE_FOCAL_SIGMA = 0.3
 USUAL_FOCAL_SIGMA = 0.3
@@ -174,7 +176,11 @@ def _best(
     """The reading seen from above that fits the drawing best."""
     found = []
     full = FullProblem(problem, prior)
-    for start in starts(problem)[:MAX_STARTS]:
+    views = starts(problem)[:MAX_STARTS]
+    least = min((view.misfit for view in views), default=0.0)
+    for start in views:
+        if start.misfit > HOPELESS * least + 1e-20 or (found and _is_exact(found[-1])):
+            continue
         pose = _initial_pose(problem, start)
         if pose is None:
             continue
@@ -191,6 +197,11 @@ def _best(
     least = min(c.minimum.cost for c in found)
     close = [c for c in found if c.minimum.cost <= CLOSE_CALL * least + 1e-20]
     return min(close, key=lambda c: (not c.above, c.minimum.cost))
+
+
+def _is_exact(lifted: _Lifted) -> bool:
+    """Whether the drawing is met to the last digits, from above: no other reading can be better."""
+    return lifted.above and lifted.minimum.converged and lifted.minimum.cost < 1e-20
 
 
 def _initial_pose(problem: Problem, start: Start) -> Pose | None:

@@ -1,0 +1,42 @@
+"""The workbench as FreeCAD's window knows it.
+
+FreeCAD runs this text inside a function: names at this level are not visible in methods, so
+they import what they need. Nothing here loads more than a few small modules.
+"""
+
+import FreeCADGui
+
+
+class InContextWorkbench(FreeCADGui.Workbench):
+    """Modeling in Context: from one photo to a new object that fits in."""
+
+    def __init__(self):
+        from incontext.workbench import host
+
+        cls = self.__class__
+        cls.MenuText = "Modeling in Context"
+        cls.ToolTip = host.translate(
+            "InContext", "Draw a new object over one photo, get a 3D shape and plates to cut"
+        )
+        cls.Icon = host.icon("InContextWorkbench")
+
+    def Initialize(self):  # noqa: N802  FreeCAD's name
+        """Make the commands, the toolbar and the menu."""
+        from incontext.workbench.commands import register_commands
+
+        names = register_commands()
+        self.appendToolbar("Modeling in Context", names)
+        self.appendMenu("Modeling in &Context", names)
+
+    def Activated(self):  # noqa: N802
+        """Nothing to do; FreeCAD asks for it."""
+
+    def Deactivated(self):  # noqa: N802
+        """Nothing to do; FreeCAD asks for it."""
+
+    def GetClassName(self):  # noqa: N802
+        """Tell FreeCAD that this workbench is written in Python."""
+        return "Gui::PythonWorkbench"
+
+
+FreeCADGui.addWorkbench(InContextWorkbench())

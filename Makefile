@@ -1,0 +1,69 @@
+# Modeling in Context: one command each.
+#
+#   make run      FreeCAD with the bookshelf example; without a display, its files in build/bookshelf
+#   make test     everything that is checked: lint, types, tests in Python and inside FreeCAD
+#   make setup    what the two need: packages of Debian, and .venv
+#   make lint     make types     make format     make clean
+#
+# Made for Debian 12 with nothing but git and make on it. Stamp files remember what is there
+# already, so that a second run starts at once and asks no network.
+
+PYTHON3 ?= /usr/bin/python3
+VENV := .venv
+PYTHON := $(VENV)/bin/python
+READY := $(VENV)/.ready
+
+RUN_PACKAGES := freecad python3-venv
+TEST_PACKAGES := xvfb xauth openbox xdotool imagemagick
+SUDO := $(if $(filter-out 0,$(shell id -u)),sudo)
+
+# Which of some packages of Debian are not installed.
+missing = $(strip $(foreach p,$(1),$(if $(filter installed,$(shell \
+	dpkg-query -W -f '$${db:Status-Status}' $(p) 2>/dev/null)),,$(p))))
+
+# Installs what is missing of some packages; does nothing, and asks for no password, if nothing is.
+define apt_install
+	$(if $(call missing,$(1)),$(SUDO) apt-get update)
+	$(if $(call missing,$(1)),$(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install \
+		--yes --no-install-recommends $(call missing,$(1)))
+endef
+
+.PHONY: run test setup lint types format clean
+
+run: $(READY)
+	@$(PYTHON) -m incontext.workbench.launch
+
+test: $(READY) build/.test-packages
+	@$(PYTHON) tests/stages.py
+
+setup: $(READY) build/.test-packages
+
+lint: $(READY)
+	@$(PYTHON) tests/stages.py lint
+
+types: $(READY)
+	@$(PYTHON) tests/stages.py types
+
+format: $(READY)
+	@$(PYTHON) -m ruff format .
+	@$(PYTHON) -m ruff check --fix .
+
+clean:
+	rm -rf build dist *.egg-info .pytest_cache .ruff_cache .mypy_cache .hypothesis
+	find . -name __pycache__ -not -path './$(VENV)/*' -prune -exec rm -rf {} +
+
+build/.run-packages:
+	$(call apt_install,$(RUN_PACKAGES))
+	@mkdir -p $(@D) && touch $@
+
+build/.test-packages: build/.run-packages
+	$(call apt_install,$(TEST_PACKAGES))
+	@mkdir -p $(@D) && touch $@
+
+# The packages of Debian come first, but are no reason to make the environment again.
+$(READY): pyproject.toml resources/requirements.lock | build/.run-packages
+	@echo 'Setting up $(VENV): about 2 GB of Python packages, which takes some minutes once.'
+	$(PYTHON3) -m venv $(VENV)
+	$(PYTHON) -m pip install --quiet --disable-pip-version-check --no-input \
+		--constraint resources/requirements.lock --editable '.[test]'
+	@touch $@

@@ -1,0 +1,97 @@
+"""What is painted, looked at px by px."""
+
+from dataclasses import replace
+from itertools import pairwise
+
+import pytest
+from PySide import QtGui
+
+from incontext.solver.annotations import Ground, Length, RightAngle
+from incontext.solver.graph import Ellipse, Face, SketchGraph
+from incontext.workbench.canvas import overlay, style
+from incontext.workbench.canvas.marks import marks_of
+
+SQUARE = {"v1": (40.0, 40.0), "v2": (160.0, 40.0), "v3": (160.0, 160.0), "v4": (40.0, 160.0)}
+
+
+@pytest.fixture
+def graph():
+    edges = {"e1": ("v1", "v2"), "e2": ("v2", "v3"), "e3": ("v3", "v4"), "e4": ("v4", "v1")}
+    return SketchGraph(vertices=SQUARE, edges=edges)
+
+
+def painted(graph, hovered=None):
+    image = QtGui.QImage(200, 200, QtGui.QImage.Format_RGB32)
+    image.fill(QtGui.QColor("#808080"))
+    painter = QtGui.QPainter(image)
+    overlay.paint(painter, overlay.Scene(graph, marks_of(graph), dict(graph.vertices), {}, hovered))
+    painter.end()
+    return image
+
+
+def has(image, colour, x, y, reach=1):
+    """Whether a colour is at a place or within reach of it."""
+    return any(
+        image.pixelColor(x + i, y + j) == QtGui.QColor(colour)
+        for i in range(-reach, reach + 1)
+        for j in range(-reach, reach + 1)
+    )
+
+
+def test_edge_is_blue_with_a_white_casing(graph):
+    image = painted(graph)
+    assert has(image, style.EDGE, 100, 40)
+    assert image.pixelColor(100, 41).lightness() > 180
+    assert image.pixelColor(100, 48) == QtGui.QColor("#808080")
+
+
+def test_construction_is_dashed(graph):
+    image = painted(replace(graph, construction=("e1",)))
+    row = [image.pixelColor(x, 40).lightness() for x in range(60, 140)]
+    dashes = [light < 170 for light in row]
+    assert 5 < sum(a != b for a, b in pairwise(dashes)) < 40
+    assert not any(has(image, style.EDGE, x, 40) for x in range(60, 140))
+
+
+def test_ground_vertices_are_green(graph):
+    image = painted(replace(graph, annotations={"a1": Ground(("v3", "v4"))}))
+    assert has(image, style.GROUND, 160, 160)
+    assert has(image, style.VERTEX, 40, 40)
+
+
+def test_vertex_under_the_pointer_lights_up(graph):
+    assert has(painted(graph, hovered="v1"), style.HOVER, 40, 40)
+
+
+def test_right_angle_stands_at_its_corner(graph):
+    image = painted(replace(graph, annotations={"a1": RightAngle("v1", ("e1", "e4"))}))
+    inside = 40 + int(style.RIGHT_ANGLE_PX)
+    assert has(image, style.ANNOTATION, inside, inside)
+    assert not has(image, style.ANNOTATION, 160 - int(style.RIGHT_ANGLE_PX), inside)
+
+
+def test_length_stands_outside_on_white(graph):
+    image = painted(replace(graph, annotations={"a1": Length("e3", 240.0)}))
+    below = [image.pixelColor(x, y) for x in range(80, 120) for y in range(168, 188)]
+    assert QtGui.QColor("#ffffff") in below
+    assert any(c.red() > 180 and c.green() < 90 for c in below)
+
+
+def test_faces_left_out_are_hatched(graph):
+    loop = ("v1", "v2", "v3", "v4")
+    plain = painted(replace(graph, faces={"f1": Face(loop)}))
+    hatched = painted(replace(graph, faces={"f1": Face(loop, included=False)}))
+    assert plain.pixelColor(100, 100) == QtGui.QColor("#808080")
+    inner = [hatched.pixelColor(x, 100) for x in range(60, 140)]
+    assert len({c.name() for c in inner}) > 1
+
+
+def test_circle_is_painted(graph):
+    from incontext.workbench.canvas.view import SketchView
+
+    circle = Ellipse(((60.0, 100.0), (140.0, 100.0)), ((100.0, 80.0), (100.0, 120.0)))
+    view = SketchView(replace(graph, circles={"c1": circle}))
+    view.resize(400, 400)
+    image = view.grab().toImage()
+    place = view.mapFromScene(100, 120)
+    assert has(image, style.EDGE, place.x(), place.y(), reach=2)

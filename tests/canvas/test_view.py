@@ -1,0 +1,165 @@
+"""The view by itself: zoom, pan, drag, keys."""
+
+from pathlib import Path
+
+import pytest
+from PySide import QtCore, QtGui
+
+from incontext.solver import load_sketch
+from incontext.workbench.canvas.photo import load_photo
+from incontext.workbench.canvas.view import SketchView
+
+Qt = QtCore.Qt
+DATA = Path(__file__).parent.parent / "data"
+
+
+@pytest.fixture
+def view():
+    view = SketchView(load_sketch(DATA / "shelf.sketch.json"), load_photo(DATA / "shelf.jpg"))
+    view.resize(640, 480)
+    view.show()
+    QtGui.QApplication.processEvents()
+    yield view
+    view.close()
+    view.deleteLater()
+
+
+def at(view, vertex):
+    return view.mapFromScene(QtCore.QPointF(*view.graph.vertices[vertex]))
+
+
+def mouse(view, kind, pos, button=Qt.LeftButton, buttons=Qt.LeftButton):
+    screen = QtCore.QPointF(view.viewport().mapToGlobal(pos))
+    event = QtGui.QMouseEvent(kind, QtCore.QPointF(pos), screen, button, buttons, Qt.NoModifier)
+    QtGui.QApplication.sendEvent(view.viewport(), event)
+
+
+def drag(view, start, end, button=Qt.LeftButton):
+    mouse(view, QtCore.QEvent.MouseButtonPress, start, button, button)
+    mouse(view, QtCore.QEvent.MouseMove, end, Qt.NoButton, button)
+    mouse(view, QtCore.QEvent.MouseButtonRelease, end, button, Qt.NoButton)
+
+
+def key(view, kind, code, modifiers=Qt.NoModifier):
+    event = QtGui.QKeyEvent(kind, code, modifiers)
+    event.ignore()
+    QtGui.QApplication.sendEvent(view, event)
+    return event
+
+
+def edits_of(view):
+    edits = []
+    view.graph_edited.connect(lambda graph, words: edits.append((graph, words)))
+    return edits
+
+
+def test_whole_photo_is_in_view(view):
+    corners = [QtCore.QPointF(x, y) for x in (0, 800) for y in (0, 600)]
+    area = view.viewport().rect()
+    assert all(area.contains(view.mapFromScene(corner)) for corner in corners)
+    view.resize(300, 500)
+    QtGui.QApplication.processEvents()
+    area = view.viewport().rect()
+    assert all(area.contains(view.mapFromScene(corner)) for corner in corners)
+
+
+def test_dragging_edits_once_and_keeps_the_grip(view):
+    edits, before = edits_of(view), view.graph
+    start = at(view, "v8") + QtCore.QPoint(3, 2)
+    drag(view, start, start + QtCore.QPoint(20, -10))
+    ((graph, words),) = edits
+    assert words == "Move vertex"
+    moved = [b - a for a, b in zip(before.vertices["v8"], graph.vertices["v8"], strict=True)]
+    assert moved == pytest.approx([20 / view.zoom, -10 / view.zoom], abs=0.01)
+    others = {v: p for v, p in graph.vertices.items() if v != "v8"}
+    assert others == {v: p for v, p in before.vertices.items() if v != "v8"}
+
+
+def test_dragging_beside_a_vertex_edits_nothing(view):
+    edits = edits_of(view)
+    drag(view, QtCore.QPoint(30, 30), QtCore.QPoint(60, 60))
+    drag(view, at(view, "v8"), at(view, "v8"))
+    assert edits == []
+
+
+def test_escape_gives_up_a_drag(view):
+    edits, before = edits_of(view), view.graph
+    start = at(view, "v8")
+    mouse(view, QtCore.QEvent.MouseButtonPress, start)
+    mouse(view, QtCore.QEvent.MouseMove, start + QtCore.QPoint(20, 0), Qt.NoButton)
+    assert view.graph != before
+    key(view, QtCore.QEvent.KeyPress, Qt.Key_Escape)
+    mouse(view, QtCore.QEvent.MouseButtonRelease, start, Qt.LeftButton, Qt.NoButton)
+    assert view.graph == before
+    assert edits == []
+
+
+def test_middle_button_pans(view):
+    before = view.mapToScene(QtCore.QPoint(100, 100))
+    drag(view, QtCore.QPoint(100, 100), QtCore.QPoint(140, 90), Qt.MiddleButton)
+    after = view.mapToScene(QtCore.QPoint(140, 90))
+    assert (after - before).manhattanLength() < 2 / view.zoom
+
+
+def test_space_pans_with_the_left_button(view):
+    edits = edits_of(view)
+    key(view, QtCore.QEvent.KeyPress, Qt.Key_Space)
+    start = at(view, "v8")
+    drag(view, start, start + QtCore.QPoint(30, 0))
+    key(view, QtCore.QEvent.KeyRelease, Qt.Key_Space)
+    assert edits == []
+    assert (at(view, "v8") - start - QtCore.QPoint(30, 0)).manhattanLength() <= 2
+
+
+def test_zoom_has_bounds_and_sharp_pixels_when_near(view):
+    view.zoom_by(1e9)
+    assert view.zoom == pytest.approx(60)
+    assert view._photo.transformationMode() == Qt.FastTransformation
+    view.zoom_by(1e-9)
+    assert view.zoom == pytest.approx(0.02)
+    assert view._photo.transformationMode() == Qt.SmoothTransformation
+
+
+def test_fit_key_shows_everything_again(view):
+    zoom = view.zoom
+    view.zoom_by(5)
+    key(view, QtCore.QEvent.KeyPress, Qt.Key_F)
+    assert view.zoom == pytest.approx(zoom)
+
+
+@pytest.mark.parametrize("code", [Qt.Key_Delete, Qt.Key_Space, Qt.Key_F, Qt.Key_Escape])
+def test_our_keys_are_claimed_before_shortcuts(view, code):
+    assert key(view, QtCore.QEvent.ShortcutOverride, code).isAccepted()
+
+
+def test_other_keys_are_left_to_freecad(view):
+    assert not key(view, QtCore.QEvent.ShortcutOverride, Qt.Key_S, Qt.ControlModifier).isAccepted()
+
+
+@pytest.mark.parametrize(
+    ("code", "modifiers", "signal"),
+    [
+        (Qt.Key_Z, Qt.ControlModifier, "undo_asked"),
+        (Qt.Key_Y, Qt.ControlModifier, "redo_asked"),
+        (Qt.Key_Z, Qt.ControlModifier | Qt.ShiftModifier, "redo_asked"),
+    ],
+)
+def test_undo_and_redo_are_asked_for(view, code, modifiers, signal):
+    asked = []
+    getattr(view, signal).connect(lambda: asked.append(True))
+    assert key(view, QtCore.QEvent.ShortcutOverride, code, modifiers).isAccepted()
+    key(view, QtCore.QEvent.KeyPress, code, modifiers)
+    assert asked == [True]
+
+
+def test_photo_of_another_size_is_stretched_to_the_sketch(view):
+    view.set_photo(QtGui.QImage(400, 300, QtGui.QImage.Format_RGB32), (800.0, 600.0))
+    assert view._photo.sceneBoundingRect() == QtCore.QRectF(0, 0, 800, 600)
+
+
+def test_photo_fades_but_not_the_sketch(view):
+    view.set_photo_strength(0)
+    view._photo.setVisible(False)
+    image = view.grab().toImage()
+    colours = {image.pixelColor(x, y).name() for x in range(0, 640, 2) for y in range(0, 480, 2)}
+    assert "#1769c9" in colours

@@ -1,0 +1,159 @@
+"""Plates at any angles: no overlap, nothing outside, one piece, and no more void than must be."""
+
+import math
+
+import manifold3d as m3
+import numpy as np
+import pytest
+import shapely
+from fabrication import shapes
+from fabrication.bodies import body, overlaps, union
+
+from incontext.workbench.fabrication import FabricationError, PlateSettings, make_plates
+from incontext.workbench.fabrication.dihedral import takes_fingers, tip_and_notch
+
+CHEVRON = [(0, 0), (60, 40), (120, 0), (120, 60), (60, 100), (0, 60)]
+HEXAGON = [(50, 0), (150, 0), (205, 85), (150, 180), (45, 170), (0, 90)]
+
+
+def frustum(low: float, high: float, h: float, n: int, **options):
+    """A prism that widens or narrows; a pyramid where `high` is 0."""
+    angles = 2 * np.pi * (np.arange(n) + 0.5) / n
+    bottom = [(low * math.cos(a), low * math.sin(a), 0.0) for a in angles]
+    top = [(high * math.cos(a), high * math.sin(a), float(h)) for a in angles]
+    loops = {"bottom": bottom}
+    if high:
+        loops["top"] = top
+    for k in range(n):
+        m = (k + 1) % n
+        sides = [bottom[k], bottom[m], top[m], top[k]]
+        loops[f"side{k}"] = sides if high else [*sides[:2], (0.0, 0.0, float(h))]
+    return shapes.model(loops, **options)
+
+
+MODELS = {
+    "hexagonal box": lambda: shapes.model(shapes.prism(HEXAGON, 70), turned=4),
+    "open hexagonal box": lambda: shapes.model(shapes.prism(HEXAGON, 70), left_out=("top",)),
+    "chevron": lambda: shapes.model(shapes.prism(CHEVRON, 60), turned=1),
+    "frustum": lambda: frustum(60, 90, 100, 4),
+    "planter": lambda: frustum(60, 90, 100, 6, left_out=("top",)),
+    "tetrahedron": lambda: frustum(80, 0, 120, 3),
+    "pyramid": lambda: frustum(80, 0, 90, 6),
+    "unequal": lambda: frustum(
+        90,
+        60,
+        80,
+        4,
+        thickness={"bottom": 6, "top": 3, "side0": 3, "side1": 4, "side2": 2, "side3": 5},
+    ),
+}
+
+
+@pytest.mark.parametrize("side", ["inside", "outside", "middle"])
+@pytest.mark.parametrize("name", MODELS)
+def test_laws(name, side):
+    model = MODELS[name]()
+    plates = make_plates(model, PlateSettings(side=side))
+    assert [plate.id for plate in plates] == [f for f in model.faces if model.faces[f].included]
+    assert max(overlaps(plates).values()) <= 1e-6
+    for plate in plates:
+        assert shapely.LinearRing(plate.outline).is_simple
+        assert plate.polygon.buffer(-0.05).geom_type == "Polygon"
+        assert plate.thickness_mm == model.faces[plate.id].thickness_mm
+    if side == "inside" and name != "chevron":
+        hull = m3.Manifold.hull_points(np.array(list(model.vertices_mm.values())))
+        assert (union(plates) - hull).volume() <= 1e-3
+
+
+@pytest.mark.parametrize(("name", "most"), [("hexagonal box", 0.006), ("pyramid", 0.045)])
+def test_the_void_is_small(name, most):
+    model = MODELS[name]()
+    total = sum(body(plate).volume() for plate in make_plates(model))
+    hull = m3.Manifold.hull_points(np.array(list(model.vertices_mm.values())))
+    if name == "hexagonal box":
+        plan = shapely.Polygon(HEXAGON)
+        walls = plan.area * 70 - plan.buffer(-3, join_style="mitre").area * 64
+    else:
+        # A body around a sphere: the hollow is the whole, smaller by the sphere's radius.
+        apothem, h = 80 * math.cos(math.pi / 6), 90.0
+        radius = apothem * h / (apothem + math.hypot(apothem, h))
+        walls = hull.volume() * (1 - ((radius - 3) / radius) ** 3)
+    assert walls * (1 - most) < total < walls
+
+
+def void_mm2(theta: float, t: float) -> float:
+    """What two plates of one thickness must leave empty, mm3 for each mm of their edge."""
+    if theta <= math.pi / 2:
+        return t**2 / math.tan(theta)
+    phi = math.pi - theta
+    lens = (1 - math.cos(phi)) * (math.sin(phi) - math.tan(phi / 2))
+    return t**2 / 2 * (math.sin(phi) * math.cos(phi) + lens)
+
+
+@pytest.mark.parametrize("degrees", [35, 60, 75, 100, 120, 145])
+def test_the_void_is_exactly_what_a_square_cut_leaves(degrees):
+    theta, t, width, length = math.radians(degrees), 3.0, 60.0, 120.0
+    far = (width * math.cos(theta), width * math.sin(theta))
+    loops = {
+        "floor": [(0, 0, 0), (width, 0, 0), (width, length, 0), (0, length, 0)],
+        "wall": [(0, 0, 0), (0, length, 0), (far[0], length, far[1]), (far[0], 0, far[1])],
+    }
+    plates = make_plates(shapes.model(loops))
+    total = sum(body(plate).volume() for plate in plates)
+    area = 2 * width * t - t**2 / math.tan(theta / 2) - void_mm2(theta, t)
+    assert total == pytest.approx(area * length, rel=1e-6)
+    assert max(overlaps(plates).values()) <= 1e-6
+
+
+def test_the_right_angle_is_the_common_border_of_both_formulas():
+    for other in (2.0, 3.0, 5.0):
+        for theta in (math.pi / 2 - 1e-7, math.pi / 2, math.pi / 2 + 1e-7):
+            assert tip_and_notch(theta, 3.0, other) == pytest.approx((0.0, other), abs=1e-5)
+        concave = tip_and_notch(3 * math.pi / 2, 3.0, other)
+        assert concave == pytest.approx((-other, 0.0), abs=1e-9)
+
+
+def test_flat_angles_take_no_fingers():
+    assert takes_fingers(math.radians(30.1))
+    assert takes_fingers(math.radians(211))
+    assert not takes_fingers(math.radians(155))
+    assert not takes_fingers(math.radians(350))
+
+
+def test_partitions_aslant_are_named():
+    loops = shapes.prism(HEXAGON, 70)
+    loops["shelf"] = [(x, y, 30.0) for x, y in HEXAGON]
+    with pytest.raises(FabricationError, match="right-angled") as caught:
+        make_plates(shapes.model(loops))
+    assert caught.value.ids == ("shelf",)
+
+
+def test_a_bent_face_is_named():
+    loops = shapes.prism(HEXAGON, 70)
+    x, y, _ = loops["top"][0]
+    bent = {
+        id_: [(x, y, 75.0) if point == (x, y, 70) else point for point in loop]
+        for id_, loop in loops.items()
+    }
+    with pytest.raises(FabricationError, match="not flat"):
+        make_plates(shapes.model(bent))
+
+
+def test_a_box_that_leans_a_little_is_still_made():
+    lean = {
+        id_: [(x + 0.004 * z, y, z) for x, y, z in loop]
+        for id_, loop in shapes.box_loops(120, 80, 60).items()
+    }
+    plates = make_plates(shapes.model(lean))
+    assert max(overlaps(plates).values()) <= 1e-6
+    total = sum(body(plate).volume() for plate in plates)
+    assert total == pytest.approx(shapes.slab_volume(120, 80, 60, 3), rel=2e-3)
+
+
+def test_play_leaves_room_between_fingers():
+    tight, loose = (
+        make_plates(MODELS["frustum"](), PlateSettings(play_mm=play)) for play in (0.0, 0.2)
+    )
+    for a, b in zip(tight, loose, strict=True):
+        assert (body(b) - body(a)).volume() <= 1e-6
+    assert sum(p.polygon.area for p in loose) < sum(p.polygon.area for p in tight) - 1.0

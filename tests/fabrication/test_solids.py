@@ -1,0 +1,161 @@
+"""Plates in the kernel, shells, meshes: exact volumes."""
+
+import io
+import itertools
+import zipfile
+
+import cadquery as cq
+import lib3mf
+import numpy as np
+import pytest
+import trimesh
+from fabrication import shapes
+from shapely.geometry import Polygon
+
+from incontext.workbench.fabrication import (
+    FabricationError,
+    ShellSettings,
+    assemble,
+    make_plates,
+    shell_solid,
+)
+from incontext.workbench.fabrication.meshes import (
+    Mesh,
+    check_mesh,
+    mesh_of,
+    stl_bytes,
+    threemf_bytes,
+)
+from incontext.workbench.fabrication.solids import plates_step_bytes, shape_step_bytes
+
+HEXAGON = [(50, 0), (150, 0), (205, 85), (150, 180), (45, 170), (0, 90)]
+
+
+def shelf_with_front(**options):
+    """The bookshelf as a closed body, its front an opening."""
+    loops = dict(shapes.box_loops(200, 90, 160))
+    loops["shelf"] = shapes.rect(2, 75, (0, 200), (0, 90))
+    return shapes.model(loops, left_out=("front",), **options)
+
+
+def test_the_kernel_sees_no_overlap_and_no_void():
+    compound = assemble(make_plates(shapes.bookshelf(turned=4)))
+    solids = compound.Solids()
+    assert len(solids) == 6
+    assert all(solid.isValid() for solid in solids)
+    for one, two in itertools.combinations(solids, 2):
+        shared = one.intersect(two)
+        assert sum(solid.Volume() for solid in shared.Solids()) <= 1e-6
+    whole = solids[0].fuse(*solids[1:])
+    assert whole.Volume() == pytest.approx(shapes.wall_volume("bookshelf", "inside"), rel=1e-9)
+
+
+def test_step_has_the_plates_by_name_and_the_same_bytes_twice(tmp_path):
+    plates = make_plates(shapes.tray())
+    step = plates_step_bytes(plates, "tray")
+    assert step == plates_step_bytes(plates, "tray")
+    for plate in plates:
+        assert f"PRODUCT('{plate.id}'".encode() in step
+    file = tmp_path / "tray.step"
+    file.write_bytes(step)
+    read = cq.importers.importStep(str(file))
+    volume = sum(solid.Volume() for solid in read.solids().vals())
+    assert volume == pytest.approx(shapes.wall_volume("tray", "inside"), rel=1e-9)
+
+
+@pytest.mark.parametrize("turned", [None, 6])
+@pytest.mark.parametrize("side", ["inside", "outside", "middle"])
+def test_a_closed_box_is_hollow(side, turned):
+    solid = shell_solid(shapes.box(turned=turned), ShellSettings(3.0, side))
+    assert solid.isValid()
+    assert solid.Volume() == pytest.approx(shapes.wall_volume("box", side), rel=1e-9)
+
+
+@pytest.mark.parametrize("side", ["inside", "outside", "middle"])
+def test_an_open_box_over_an_l(side):
+    out = {"inside": 0.0, "outside": 3.0, "middle": 1.5}[side]
+    inn = 3.0 - out
+    outer, inner = shapes._l_area(out), shapes._l_area(-inn)
+    solid = shell_solid(shapes.l_box(left_out=("top",)), ShellSettings(3.0, side))
+    assert solid.Volume() == pytest.approx(outer * (50 + out) - inner * (50 - inn), rel=1e-9)
+
+
+def test_walls_aslant():
+    plan = Polygon(HEXAGON)
+    solid = shell_solid(shapes.model(shapes.prism(HEXAGON, 70), left_out=("top",), turned=1))
+    inner = plan.buffer(-2.0, join_style="mitre").area
+    assert solid.Volume() == pytest.approx(plan.area * 70 - inner * 68, rel=1e-9)
+
+
+@pytest.mark.parametrize("side", ["inside", "outside"])
+def test_partitions_are_fused(side):
+    solid = shell_solid(shelf_with_front(turned=3), ShellSettings(3.0, side))
+    assert solid.Volume() == pytest.approx(shapes.wall_volume("bookshelf", side), rel=1e-9)
+
+
+def test_a_window_is_cut_through_its_wall():
+    loops = dict(shapes.box_loops(100, 80, 60))
+    loops["front"] = shapes.rect(1, 0, (0, 60), (0, 40))
+    loops["window"] = shapes.rect(1, 0, (0, 60), (40, 100))
+    solid = shell_solid(shapes.model(loops, left_out=("window",)), ShellSettings(3.0))
+    assert solid.Volume() == pytest.approx(100 * 80 * 60 - 94 * 74 * 54 - 60 * 60 * 3, rel=1e-9)
+
+
+def test_a_solve_leaves_planes_a_little_bent():
+    rng = np.random.default_rng(3)
+    loops = {
+        id_: [
+            tuple(np.array(p) + 1e-4 * np.sin([7 * p[0], p[1] + p[2], p[0] + 3 * p[2]])) for p in f
+        ]
+        for id_, f in shapes.prism(HEXAGON, 70).items()
+    }
+    solid = shell_solid(shapes.model(loops, turned=int(rng.integers(9))), ShellSettings(2.0))
+    plan = Polygon(HEXAGON)
+    volume = plan.area * 70 - plan.buffer(-2.0, join_style="mitre").area * 66
+    assert solid.isValid()
+    assert solid.Volume() == pytest.approx(volume, rel=1e-4)
+
+
+def test_open_edges_are_named():
+    model = shapes.tray()
+    with pytest.raises(FabricationError, match="do not close") as caught:
+        shell_solid(model)
+    top = {e for e, ends in model.edges.items() if all(model.vertices_mm[v][2] == 40 for v in ends)}
+    assert set(caught.value.ids) == top
+
+
+@pytest.mark.parametrize("wall", [30.0, 45.0])
+def test_a_wall_too_thick_is_refused(wall):
+    with pytest.raises(FabricationError, match="thinner wall"):
+        shell_solid(shapes.box(), ShellSettings(wall))
+
+
+def test_mesh_files_read_back():
+    solid = shell_solid(shelf_with_front(turned=3), ShellSettings(3.0))
+    mesh = mesh_of(solid)
+    stl = trimesh.load(io.BytesIO(stl_bytes(mesh)), file_type="stl")
+    assert stl.is_watertight
+    assert stl.volume == pytest.approx(solid.Volume(), rel=1e-5)
+    data = threemf_bytes(mesh, "shelf")
+    assert data == threemf_bytes(mesh, "shelf")
+    assert zipfile.ZipFile(io.BytesIO(data)).testzip() is None
+    model = lib3mf.get_wrapper().CreateModel()
+    reader = model.QueryReader("3mf")
+    reader.SetStrictModeActive(True)
+    reader.ReadFromBuffer(data)
+    assert reader.GetWarningCount() == 0
+    objects = model.GetMeshObjects()
+    assert objects.MoveNext()
+    assert objects.GetCurrentMeshObject().IsManifoldAndOriented()
+
+
+def test_an_open_mesh_is_refused():
+    mesh = mesh_of(shell_solid(shapes.box()))
+    with pytest.raises(FabricationError, match="not closed"):
+        check_mesh(Mesh(mesh.vertices_mm, mesh.triangles[1:]), 1.0, 0.0)
+
+
+def test_a_shape_as_step():
+    data = shape_step_bytes(shell_solid(shapes.box()), "box")
+    assert data.startswith(b"ISO-10303-21;")
+    assert b"2000-01-01T00:00:00" in data

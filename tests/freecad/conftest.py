@@ -1,0 +1,62 @@
+"""These tests run inside FreeCAD; `python tests/stages.py console window` starts them there."""
+
+from __future__ import annotations
+
+import importlib.util
+import subprocess
+from pathlib import Path
+
+import pytest
+
+collect_ignore = ["decoy_addon"]
+if importlib.util.find_spec("FreeCAD") is None:
+    collect_ignore_glob = ["test_*.py"]
+else:
+    import FreeCAD
+
+    if not FreeCAD.GuiUp:
+        collect_ignore_glob = ["test_window_*.py"]
+
+DATA = Path(__file__).parent.parent / "data"
+
+
+@pytest.fixture
+def shelf_path():
+    """A sketch of a shelf with a board and an open front, over a photo of 800 x 600 px."""
+    return DATA / "shelf.sketch.json"
+
+
+@pytest.fixture
+def document():
+    """An empty document with undo, closed afterwards."""
+    import FreeCAD
+
+    document = FreeCAD.newDocument("Test")
+    document.UndoMode = 1
+    yield document
+    FreeCAD.closeDocument(document.Name)
+
+
+@pytest.fixture
+def shelf(document, shelf_path):
+    """Photo sketch, lifted model and plate set of the shelf."""
+    from incontext.workbench.features.examples import import_sketch
+    from incontext.workbench.features.lifted_model import make_lifted_model
+    from incontext.workbench.features.plate_set import make_plate_set
+
+    sketch = import_sketch(document, shelf_path)
+    model = make_lifted_model(document, sketch)
+    plates = make_plate_set(document, model)
+    document.recompute()
+    return sketch, model, plates
+
+
+@pytest.fixture(scope="session")
+def hands():
+    """A person's hands: real mouse and keys, through the X server."""
+    from incontext.tests.freecad.hands import Hands
+
+    manager = subprocess.Popen(["openbox"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    yield Hands()
+    manager.terminate()
+    manager.wait()

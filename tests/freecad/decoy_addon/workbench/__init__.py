@@ -1,0 +1,3 @@
+"""Must never be imported by us."""
+
+raise ImportError("another addon's `workbench` was imported")

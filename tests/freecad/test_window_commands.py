@@ -1,0 +1,105 @@
+"""Every command, as FreeCAD's window has it."""
+
+from pathlib import Path
+
+import FreeCAD
+import FreeCADGui
+import pytest
+
+from incontext.tests.freecad.hands import pump
+from incontext.workbench.commands import COMMANDS
+from incontext.workbench.features.photo_sketch import is_photo_sketch
+
+
+@pytest.fixture(autouse=True)
+def workbench():
+    FreeCADGui.activateWorkbench("InContextWorkbench")
+    assert FreeCADGui.activeWorkbench().name() == "InContextWorkbench"
+
+
+@pytest.mark.parametrize("command", COMMANDS, ids=lambda command: command.NAME)
+def test_command_is_registered_and_dressed(command):
+    assert command.NAME.startswith("InContext_")
+    assert command.NAME in FreeCADGui.listCommands()
+    resources = command().GetResources()
+    assert Path(resources["Pixmap"]).is_file()
+    assert resources["MenuText"]
+    assert resources["ToolTip"]
+
+
+def test_shortcuts_differ():
+    shortcuts = [command.SHORTCUT for command in COMMANDS if command.SHORTCUT]
+    assert len(set(shortcuts)) == len(shortcuts)
+
+
+def test_toolbar_and_menu_have_every_command():
+    listed = set(FreeCADGui.activeWorkbench().getToolbarItems()["Modeling in Context"])
+    assert {command.NAME for command in COMMANDS} <= listed
+
+
+def test_new_sketch_embeds_the_photo(document, shelf_path):
+    from incontext.workbench.commands.new_sketch import new_sketch
+    from incontext.workbench.features import pipeline
+
+    obj = new_sketch(document, shelf_path.parent / "shelf.jpg")
+    graph = pipeline.graph_of(obj.Sketch)
+    assert (graph.photo.width_px, graph.photo.height_px) == (800, 600)
+    assert Path(obj.Photo).is_file()
+    document.undo()
+    assert document.Objects == []
+
+
+def test_from_a_sketch_file_to_files_to_cut(document, shelf_path, tmp_path, monkeypatch):
+    from incontext.workbench.commands.import_sketch import imported
+    from incontext.workbench.panels import asking
+
+    imported(document, shelf_path)
+    FreeCADGui.runCommand("InContext_Lift")
+    FreeCADGui.runCommand("InContext_MakePlates")
+    assert [obj.Name for obj in document.Objects] == ["PhotoSketch", "LiftedModel", "PlateSet"]
+    assert document.UndoNames == ["Make plates", "Lift to 3D", "Import sketch"]
+    monkeypatch.setattr(asking, "ask_for_folder", lambda title: tmp_path)
+    FreeCADGui.runCommand("InContext_ExportPlates")
+    assert (tmp_path / "Test.dxf").is_file()
+
+
+def test_photo_that_is_none_is_told(document, shelf_path, monkeypatch):
+    from incontext.workbench.panels import asking, messages
+
+    told = []
+    monkeypatch.setattr(asking, "ask_for_file", lambda title, kinds: shelf_path)
+    monkeypatch.setattr(messages, "tell", told.append)
+    FreeCADGui.runCommand("InContext_NewSketch")
+    assert "cannot read the photo" in told[0]
+    assert document.Objects == []
+
+
+def test_missing_package_is_told_with_the_command_to_type(document, shelf_path, monkeypatch):
+    from incontext.workbench.commands import import_sketch
+    from incontext.workbench.panels import asking, messages
+
+    def fails(document, path):
+        raise ModuleNotFoundError("No module named 'shapely'", name="shapely")
+
+    told = []
+    monkeypatch.setattr(asking, "ask_for_file", lambda title, kinds: shelf_path)
+    monkeypatch.setattr(import_sketch, "imported", fails)
+    monkeypatch.setattr(messages, "tell", told.append)
+    FreeCADGui.runCommand("InContext_ImportSketch")
+    assert "pip install --target" in told[0]
+    assert "shapely" in told[0]
+
+
+def test_example_opens_side_by_side():
+    from incontext.workbench.panels.tabs import open_tabs
+
+    FreeCADGui.runCommand("InContext_OpenExample")
+    pump(0.5)
+    document = FreeCAD.ActiveDocument
+    sketch, model, plates = document.Objects
+    assert is_photo_sketch(sketch)
+    assert (model.Status, plates.Status) == ("converged", "made")
+    assert [tab.obj for tab in open_tabs()] == [sketch]
+    FreeCAD.closeDocument(document.Name)
+    pump()
+    assert open_tabs() == ()

@@ -1,0 +1,1 @@
+"""The photo with the sketch over it, in Qt and without FreeCAD."""

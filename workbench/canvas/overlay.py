@@ -1,0 +1,152 @@
+"""Paints the sketch over the photo, in screen px: lines and symbols keep their size at any zoom."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from . import style, symbols
+from .marks import Marks
+from .qt import QtCore, QtGui
+
+if TYPE_CHECKING:
+    from ...solver.graph import SketchGraph
+    from .symbols import Point, Stroke
+
+_Qt = QtCore.Qt
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """What is painted.
+
+    Parameters
+    ----------
+    graph : SketchGraph
+    marks : Marks
+    screen : mapping of vertex to screen position
+    circles : mapping of circle to its outline on the screen
+    hovered : vertex under the pointer, or None
+    """
+
+    graph: SketchGraph
+    marks: Marks
+    screen: dict[str, Point]
+    circles: dict[str, Stroke] = field(default_factory=dict)
+    hovered: str | None = None
+
+    def ends(self, edge: str) -> tuple[Point, Point]:
+        """Screen positions of an edge's two ends."""
+        v, w = self.graph.edges[edge]
+        return self.screen[v], self.screen[w]
+
+
+def paint(painter: QtGui.QPainter, scene: Scene) -> None:
+    """Paint everything, from the back to the front."""
+    painter.setRenderHint(QtGui.QPainter.Antialiasing)
+    _paint_left_out(painter, scene)
+    # Below the edges, whose ends they would cover else.
+    _paint_right_angles(painter, scene)
+    _paint_edges(painter, scene)
+    _paint_marks(painter, scene)
+    _paint_vertices(painter, scene)
+    _paint_lengths(painter, scene)
+
+
+def _paint_left_out(painter: QtGui.QPainter, scene: Scene) -> None:
+    colour = QtGui.QColor(style.LEFT_OUT)
+    colour.setAlpha(style.LEFT_OUT_ALPHA)
+    painter.setPen(_Qt.NoPen)
+    painter.setBrush(QtGui.QBrush(colour, _Qt.BDiagPattern))
+    for face in (scene.graph.faces or {}).values():
+        if not face.included and all(v in scene.screen for v in face.loop):
+            painter.drawPolygon(_polygon([scene.screen[v] for v in face.loop]))
+
+
+def _paint_edges(painter: QtGui.QPainter, scene: Scene) -> None:
+    helping = set(scene.graph.construction)
+    traced: list[Stroke] = [scene.ends(e) for e in scene.graph.edges if e in helping]
+    drawn: list[Stroke] = [scene.ends(e) for e in scene.graph.edges if e not in helping]
+    traced += [stroke for c, stroke in scene.circles.items() if c in helping]
+    drawn += [stroke for c, stroke in scene.circles.items() if c not in helping]
+    _stroke(painter, traced, style.CONSTRUCTION, style.CONSTRUCTION_PX, dashed=True)
+    _stroke(painter, drawn, style.EDGE, style.EDGE_PX)
+
+
+def _paint_right_angles(painter: QtGui.QPainter, scene: Scene) -> None:
+    corners = [[scene.screen[v] for v in vertices] for vertices in scene.marks.right_angles]
+    strokes = [symbols.right_angle(*points, style.RIGHT_ANGLE_PX) for points in corners]
+    _stroke(painter, strokes, style.ANNOTATION, style.SYMBOL_PX)
+
+
+def _paint_marks(painter: QtGui.QPainter, scene: Scene) -> None:
+    strokes: list[Stroke] = []
+    for edge, count in scene.marks.equal_lengths.items():
+        strokes += symbols.ticks(*scene.ends(edge), count, style.TICK_PX, style.MARK_SPACING_PX)
+    for edge, count in scene.marks.parallels.items():
+        strokes += symbols.arrows(*scene.ends(edge), count, style.ARROW_PX, style.MARK_SPACING_PX)
+    _stroke(painter, strokes, style.ANNOTATION, style.SYMBOL_PX)
+
+
+def _paint_vertices(painter: QtGui.QPainter, scene: Scene) -> None:
+    for vertex, (x, y) in scene.screen.items():
+        hovered = vertex == scene.hovered
+        on_ground = vertex in scene.marks.ground
+        radius = style.HOVER_RADIUS_PX if hovered else style.VERTEX_RADIUS_PX
+        fill = style.HOVER if hovered else style.GROUND if on_ground else style.VERTEX
+        rim = style.CASING if on_ground and not hovered else style.EDGE
+        painter.setPen(QtGui.QPen(QtGui.QColor(rim), 1.5))
+        painter.setBrush(QtGui.QColor(fill))
+        painter.drawEllipse(QtCore.QPointF(x, y), radius, radius)
+
+
+def _paint_lengths(painter: QtGui.QPainter, scene: Scene) -> None:
+    """Lengths as text on a white plaque beside their edge, away from the rest of the drawing."""
+    if not scene.marks.lengths:
+        return
+    font = painter.font()
+    font.setPixelSize(style.TEXT_PX)
+    font.setBold(True)
+    painter.setFont(font)
+    xs, ys = zip(*scene.screen.values(), strict=True)
+    centre = (sum(xs) / len(xs), sum(ys) / len(ys))
+    for edge, text in scene.marks.lengths.items():
+        size = painter.fontMetrics().size(0, text)
+        plaque = QtCore.QRectF(0, 0, size.width() + 10, size.height() + 4)
+        extent = (plaque.width(), plaque.height())
+        place = symbols.beside(*scene.ends(edge), centre, extent, style.PLAQUE_DISTANCE_PX)
+        plaque.moveCenter(QtCore.QPointF(*place))
+        painter.setPen(QtGui.QPen(QtGui.QColor(style.ANNOTATION), 1))
+        painter.setBrush(QtGui.QColor(style.CASING))
+        painter.drawRoundedRect(plaque, 3, 3)
+        painter.drawText(plaque, _Qt.AlignCenter, text)
+
+
+def _stroke(
+    painter: QtGui.QPainter,
+    strokes: Iterable[Stroke],
+    colour: str,
+    width_px: float,
+    *,
+    dashed: bool = False,
+) -> None:
+    """Lines with a white casing: all casings first, so that none cuts through a line."""
+    lines = [_polygon(stroke) for stroke in strokes]
+    casing = QtGui.QColor(style.CASING)
+    casing.setAlpha(style.CASING_ALPHA)
+    outer = QtGui.QPen(casing, width_px + 2 * style.CASING_PX)
+    inner = QtGui.QPen(QtGui.QColor(colour), width_px)
+    if dashed:
+        inner.setDashPattern([4, 3])
+    painter.setBrush(_Qt.NoBrush)
+    for pen in (outer, inner):
+        pen.setCapStyle(_Qt.FlatCap if dashed and pen is inner else _Qt.RoundCap)
+        pen.setJoinStyle(_Qt.RoundJoin)
+        painter.setPen(pen)
+        for line in lines:
+            painter.drawPolyline(line)
+
+
+def _polygon(points: Iterable[Point]) -> QtGui.QPolygonF:
+    return QtGui.QPolygonF([QtCore.QPointF(x, y) for x, y in points])

@@ -1,0 +1,172 @@
+"""A photo that can be zoomed and panned; what is drawn over it comes in a subclass.
+
+Terms
+-----
+photo position
+    px of the upright photo, which are also the scene's coordinates.
+screen position
+    px of the view's surface.
+"""
+
+from __future__ import annotations
+
+from . import style
+from .qt import QtCore, QtGui
+
+_Qt = QtCore.Qt
+
+ZOOM_STEP = 1.2
+ZOOM_RANGE = (0.02, 60.0)
+#: From here on photo pixels are shown as sharp squares.
+SHARP_FROM = 4.0
+FIT_MARGIN = 0.02
+
+
+class PhotoView(QtGui.QGraphicsView):
+    """A photo: the wheel zooms at the pointer, the middle button or Space pans."""
+
+    def __init__(self, parent: QtGui.QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._photo = QtGui.QGraphicsPixmapItem()
+        self._size = (800.0, 600.0)
+        self._pan_from: QtCore.QPoint | None = None
+        self._space_held = False
+        self._fitted = True
+        scene = QtGui.QGraphicsScene(self)
+        scene.addItem(self._photo)
+        self.setScene(scene)
+        self.setBackgroundBrush(QtGui.QColor(style.OUTSIDE))
+        self.setFrameShape(QtGui.QFrame.NoFrame)
+        self.setMouseTracking(True)
+        self.setFocusPolicy(_Qt.StrongFocus)
+        self.setHorizontalScrollBarPolicy(_Qt.ScrollBarAlwaysOff)
+        self.setVerticalScrollBarPolicy(_Qt.ScrollBarAlwaysOff)
+        self.setTransformationAnchor(QtGui.QGraphicsView.AnchorUnderMouse)
+        # What is drawn over the photo is one painting: parts of it cannot be redrawn alone.
+        self.setViewportUpdateMode(QtGui.QGraphicsView.FullViewportUpdate)
+
+    def set_photo(self, image: QtGui.QImage | None, size_px: tuple[float, float]) -> None:
+        """Show a photo, or none, stretched to the size that the sketch was drawn on."""
+        pixmap = QtGui.QPixmap() if image is None else QtGui.QPixmap.fromImage(image)
+        width, height = self._size = size_px
+        self._photo.setPixmap(pixmap)
+        if not pixmap.isNull():
+            stretch = QtGui.QTransform.fromScale(width / pixmap.width(), height / pixmap.height())
+            self._photo.setTransform(stretch)
+        # Room around the photo, so that its corners can be brought to the middle.
+        self.setSceneRect(-width, -height, 3 * width, 3 * height)
+
+    def set_photo_strength(self, strength: float) -> None:
+        """Fade the photo: 1 shows it as it is, 0 not at all."""
+        self._photo.setOpacity(max(0.0, min(1.0, strength)))
+
+    @property
+    def zoom(self) -> float:
+        """Screen px per photo px."""
+        return float(self.transform().m11())
+
+    def fit(self) -> None:
+        """Show the whole photo."""
+        width, height = self._size
+        margin = FIT_MARGIN * max(width, height)
+        area = QtCore.QRectF(0, 0, width, height).adjusted(-margin, -margin, margin, margin)
+        self.fitInView(area, _Qt.KeepAspectRatio)
+        self._fitted = True
+        self._sharpen()
+
+    def zoom_by(self, factor: float) -> None:
+        """Zoom at the pointer."""
+        low, high = ZOOM_RANGE
+        factor = max(low, min(high, self.zoom * factor)) / self.zoom
+        self.scale(factor, factor)
+        self._fitted = False
+        self._sharpen()
+
+    def _sharpen(self) -> None:
+        sharp = self.zoom >= SHARP_FROM
+        mode = _Qt.FastTransformation if sharp else _Qt.SmoothTransformation
+        self._photo.setTransformationMode(mode)
+
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:  # noqa: N802  Qt's names
+        """Keep the whole photo in view while nobody zoomed."""
+        super().resizeEvent(event)
+        if self._fitted:
+            self.fit()
+
+    def wheelEvent(self, event: QtGui.QWheelEvent) -> None:  # noqa: N802
+        """Zoom; a notch of the wheel is 120 units."""
+        self.zoom_by(ZOOM_STEP ** (event.angleDelta().y() / 120))
+        event.accept()
+
+    def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:  # noqa: N802
+        """Take hold of the photo."""
+        left_pans = event.button() == _Qt.LeftButton and self._space_held
+        if event.button() == _Qt.MiddleButton or left_pans:
+            self._pan_from = event.pos()
+            self.show_cursor()
+        event.accept()
+
+    def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:  # noqa: N802
+        """Pan."""
+        if self._pan_from is not None:
+            self._pan_to(event.pos())
+        # Qt zooms at the last place that it saw the pointer.
+        super().mouseMoveEvent(event)
+
+    def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:  # noqa: N802
+        """Let go of the photo."""
+        if self._pan_from is not None and event.button() != _Qt.RightButton:
+            self._pan_from = None
+            self.show_cursor()
+        event.accept()
+
+    def mouseDoubleClickEvent(self, event: QtGui.QMouseEvent) -> None:  # noqa: N802
+        """A second click in short order is a click like any other."""
+        self.mousePressEvent(event)
+
+    def _pan_to(self, pos: QtCore.QPoint) -> None:
+        moved = pos - self._pan_from
+        self._pan_from = pos
+        self._fitted = False
+        for bar, distance in (
+            (self.horizontalScrollBar(), moved.x()),
+            (self.verticalScrollBar(), moved.y()),
+        ):
+            bar.setValue(bar.value() - distance)
+
+    @property
+    def is_panning(self) -> bool:
+        """True while the photo is held."""
+        return self._pan_from is not None
+
+    def show_cursor(self) -> None:
+        """Show by the pointer's shape what a press would do."""
+        self.viewport().setCursor(self.cursor_shape())
+
+    def cursor_shape(self) -> _Qt.CursorShape:
+        """The pointer's shape."""
+        if self.is_panning:
+            return _Qt.ClosedHandCursor
+        return _Qt.OpenHandCursor if self._space_held else _Qt.ArrowCursor
+
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:  # noqa: N802
+        """F or Home fits, Space pans while it is held."""
+        if event.key() in (_Qt.Key_F, _Qt.Key_Home):
+            self.fit()
+        elif event.key() == _Qt.Key_Space:
+            self._space_held = True
+            self.show_cursor()
+        else:
+            # Not on to the base class: it would scroll by the arrow keys.
+            event.ignore()
+
+    def keyReleaseEvent(self, event: QtGui.QKeyEvent) -> None:  # noqa: N802
+        """Space let go ends panning."""
+        if event.key() == _Qt.Key_Space and not event.isAutoRepeat():
+            self._space_held = False
+            self.show_cursor()
+
+    def focusOutEvent(self, event: QtGui.QFocusEvent) -> None:  # noqa: N802
+        """A key let go elsewhere is not seen here."""
+        self._space_held = False
+        super().focusOutEvent(event)

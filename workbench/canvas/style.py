@@ -1,0 +1,37 @@
+"""Colours and sizes of what is drawn over the photo; sizes in screen px, whatever the zoom.
+
+The language is that of FreeCAD's Sketcher: what is annotated is red, what is traced to help is
+dashed. Lines are blue with a white casing, so that they read on light and dark photos alike.
+"""
+
+from __future__ import annotations
+
+EDGE = "#1769c9"
+CASING = "#ffffff"
+CONSTRUCTION = "#8a4fbf"
+VERTEX = "#ffffff"
+GROUND = "#1f9d3a"
+HOVER = "#ffd21f"
+ANNOTATION = "#d8281c"
+LEFT_OUT = "#1769c9"
+OUTSIDE = "#5c6066"
+
+EDGE_PX = 2.0
+CONSTRUCTION_PX = 1.6
+CASING_PX = 1.2
+"""How far the casing looks out on both sides of a line."""
+SYMBOL_PX = 1.2
+VERTEX_RADIUS_PX = 3.6
+HOVER_RADIUS_PX = 6.0
+RIGHT_ANGLE_PX = 11.0
+TICK_PX = 6.0
+ARROW_PX = 6.0
+MARK_SPACING_PX = 5.0
+PLAQUE_DISTANCE_PX = 7.0
+TEXT_PX = 12
+
+#: A vertex is grabbed within this distance of the pointer.
+REACH_PX = 9.0
+CASING_ALPHA = 225
+LEFT_OUT_ALPHA = 70
+"""Of the hatching over faces left out; 255 is opaque."""

@@ -1,0 +1,256 @@
+"""The command line: solve, make, check.
+
+Exit status: 0 all went well; 2 bad input (one line on stderr says what, where, what to try); 3 the
+solve ended badly (the solution file is still written); 1 a fault of the program itself.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NoReturn
+
+if TYPE_CHECKING:
+    from ..solver.graph import SketchGraph
+    from ..solver.solution import Solution
+
+# Nothing else is imported before it is needed: --help must not wait for a CAD kernel.
+
+OK, FAULT, BAD_INPUT, BAD_SOLVE = 0, 1, 2, 3
+ENDING = ".sketch.json"
+METHODS = ("ours",)
+
+
+class _Parser(argparse.ArgumentParser):
+    """A parser that says what is wrong in one line."""
+
+    def error(self, message: str) -> NoReturn:
+        self.exit(BAD_INPUT, f"{self.prog}: {message}; try: {self.prog} --help\n")
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run one command.
+
+    Parameters
+    ----------
+    argv : sequence of str or None
+        The arguments; None takes the process's own.
+
+    Returns
+    -------
+    int
+        Exit status.
+    """
+    try:
+        arguments = _parser().parse_args(argv)
+    except SystemExit as end:
+        return end.code if isinstance(end.code, int) else BAD_INPUT
+    from ..solver.errors import SketchError
+    from .fabrication.errors import FabricationError
+
+    try:
+        return int(arguments.run(arguments))
+    except (SketchError, FabricationError) as error:
+        _complain(f"incontext: {error}")
+        return BAD_INPUT
+    except KeyboardInterrupt:
+        _complain("incontext: stopped")
+        return 130
+    except Exception as error:  # the last line of defence, and it says so
+        _complain(f"incontext: a fault of this program: {type(error).__name__}: {error}")
+        return FAULT
+
+
+def _complain(text: str) -> None:
+    print(" ".join(text.split()), file=sys.stderr)
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = _Parser(
+        prog="incontext",
+        description="Draw a new object over one photo, get its precise 3D shape and parts.",
+        epilog="Exit status: 0 done; 2 bad input; 3 the solve ended badly. Lengths are in mm.",
+    )
+    commands = parser.add_subparsers(
+        metavar="COMMAND", required=True, title="commands", parser_class=_Parser
+    )
+    _add_solve(commands)
+    _add_make(commands)
+    _add_check(commands)
+    return parser
+
+
+def _add_command(commands: Any, name: str, run: Any, text: str) -> argparse.ArgumentParser:
+    command: argparse.ArgumentParser = commands.add_parser(
+        name, help=text[0].lower() + text[1:].split(".")[0], description=text
+    )
+    command.add_argument("sketch", metavar="SKETCH", type=Path, help="a .sketch.json file")
+    command.set_defaults(run=run)
+    return command
+
+
+def _add_solve(commands: Any) -> None:
+    command = _add_command(
+        commands, "solve", _solve, "Lift a sketch to 3D. Writes the solution file."
+    )
+    command.add_argument(
+        "-o",
+        "--output",
+        metavar="SOLUTION.json",
+        type=Path,
+        help="where to write it (default: NAME.solution.json beside the sketch)",
+    )
+    command.add_argument("--method", choices=METHODS, default=METHODS[0], help="which solver")
+
+
+def _add_check(commands: Any) -> None:
+    _add_command(
+        commands,
+        "check",
+        _check,
+        "Say what is wrong or missing in a sketch. One line each; exit status 2 where a solve "
+        "cannot succeed.",
+    )
+
+
+def _add_make(commands: Any) -> None:
+    command = _add_command(
+        commands,
+        "make",
+        _make,
+        "Make parts of a sketch: plates for a laser cutter or a solid for a 3D printer. Writes "
+        "NAME.dxf, .svg, .step, .plates.json (--laser), NAME.stl, .3mf, .step (--print; "
+        "NAME.solid.step where both are asked), and always NAME.solution.json and NAME.png.",
+    )
+    add = command.add_argument
+    add("--out", metavar="DIR", type=Path, required=True, help="folder for the files")
+    add("--laser", action="store_true", help="finger-jointed plates (the default)")
+    add("--print", action="store_true", dest="printed", help="a hollow solid")
+    add("--thickness", metavar="MM", type=float, default=3.0, help="of the stock (3)")
+    add("--kerf", metavar="MM", type=float, default=0.0, help="full width of the beam (0)")
+    add("--play", metavar="MM", type=float, default=0.0, help="clearance in the joints (0)")
+    add("--finger", metavar="MM", type=float, default=12.0, help="wished width of a finger (12)")
+    add(
+        "--sheet",
+        metavar="WxH",
+        type=_sheet,
+        help="size of the stock (the smallest usual sheet that holds every plate)",
+    )
+    add("--sheet-files", action="store_true", help="one DXF a sheet: NAME.dxf, NAME-2.dxf, ...")
+    add("--wall", metavar="MM", type=float, default=2.0, help="wall of the hollow solid (2)")
+    add(
+        "--side",
+        metavar="SIDE",
+        default="inside",
+        help="where the material lies: inside the drawn faces (default), outside, middle",
+    )
+
+
+def _sheet(text: str) -> tuple[float, float]:
+    try:
+        width, height = (float(part) for part in text.lower().replace("×", "x").split("x"))
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is no size like 600x400") from None
+    return width, height
+
+
+def name_of(sketch: Path) -> str:
+    """NAME: what stands before ``.sketch.json``."""
+    name = sketch.name
+    return name.removesuffix(ENDING) if name.endswith(ENDING) else name.removesuffix(".json")
+
+
+def _load(path: Path) -> SketchGraph:
+    from ..solver import load_sketch
+
+    return load_sketch(path)
+
+
+def _solution_text(solution: Solution) -> bytes:
+    from ..solver.serialise import solution_to_text
+
+    return solution_to_text(solution).encode()
+
+
+def _check(arguments: argparse.Namespace) -> int:
+    from ..solver import findings
+    from .photos import photo_problem
+
+    graph = _load(arguments.sketch)
+    found = [(str(f.severity), f.text) for f in findings(graph)]
+    problem = photo_problem(graph, arguments.sketch)
+    if problem:
+        found.append(("warning", problem))
+    for severity, text in found:
+        print(" ".join(f"{severity}: {text}".split()))
+    return BAD_INPUT if any(severity == "error" for severity, _ in found) else OK
+
+
+def _solve(arguments: argparse.Namespace) -> int:
+    from ..solver import solve
+    from ..solver.files import write_files
+    from .photos import photo_problem
+
+    graph = _load(arguments.sketch)
+    problem = photo_problem(graph, arguments.sketch)
+    if problem:
+        _complain(f"warning: {problem}")
+    solution = solve(graph)
+    beside = arguments.sketch.with_name(name_of(arguments.sketch) + ".solution.json")
+    output = arguments.output or beside
+    write_files({output: _solution_text(solution)})
+    return _verdict(solution)
+
+
+def _verdict(solution: Solution) -> int:
+    """Say how a solve ended, where it did not end well."""
+    from ..solver.solution import Status
+
+    if solution.status is not Status.CONVERGED:
+        _complain(f"incontext: {solution.status.value}: {solution.message}")
+        return BAD_SOLVE
+    if solution.scale_assumed:
+        _complain("warning: nothing says how large it is; the longest edge is taken as 100 mm")
+    return OK
+
+
+def _make(arguments: argparse.Namespace) -> int:
+    from ..solver import solve
+    from ..solver.files import write_files
+    from ..solver.solution import Status
+    from .fabrication.settings import PlateSettings, ShellSettings
+    from .photos import load_photo
+
+    plate_settings = PlateSettings(
+        thickness_mm=arguments.thickness,
+        side=arguments.side,
+        finger_mm=arguments.finger,
+        play_mm=arguments.play,
+        kerf_mm=arguments.kerf,
+        sheet_mm=arguments.sheet,
+    )
+    shell_settings = ShellSettings(wall_mm=arguments.wall, side=arguments.side)
+    graph = _load(arguments.sketch)
+    photo, problem = load_photo(graph, arguments.sketch)
+    if problem:
+        _complain(f"warning: {problem}")
+    solution = solve(graph)
+    stem = name_of(arguments.sketch)
+    contents = {f"{stem}.solution.json": _solution_text(solution)}
+    if solution.status is Status.CONVERGED:
+        from .making import Order, made_files
+
+        order = Order(
+            stem,
+            plate_settings if arguments.laser or not arguments.printed else None,
+            shell_settings if arguments.printed else None,
+            arguments.sheet_files,
+        )
+        contents |= made_files(graph, solution, photo, order)
+    write_files({arguments.out / name: data for name, data in contents.items()})
+    status = _verdict(solution)
+    for name in contents:
+        print(arguments.out / name)
+    return status

@@ -1,0 +1,46 @@
+"""What a person can do: one command a file, all of them in COMMANDS, in the menu's order."""
+
+from __future__ import annotations
+
+from .base import Command
+from .edit_sketch import EditSketch
+from .export_plates import ExportPlates
+from .import_sketch import ImportSketch
+from .lift import Lift
+from .make_plates import MakePlates
+from .make_shell import MakeShell
+from .new_sketch import NewSketch
+from .open_example import OpenExample
+
+COMMANDS: tuple[type[Command], ...] = (
+    NewSketch,
+    ImportSketch,
+    OpenExample,
+    EditSketch,
+    Lift,
+    MakePlates,
+    MakeShell,
+    ExportPlates,
+)
+
+#: Where toolbar and menu have a line between two groups: before these.
+_GROUPS = (EditSketch, ExportPlates)
+
+
+def register_commands() -> list[str]:
+    """Make the commands known to FreeCAD.
+
+    Returns
+    -------
+    list of str
+        Their names as toolbars and menus take them, with separators.
+    """
+    import FreeCADGui
+
+    names = []
+    for command in COMMANDS:
+        FreeCADGui.addCommand(command.NAME, command())
+        if command in _GROUPS:
+            names.append("Separator")
+        names.append(command.NAME)
+    return names

@@ -1,0 +1,105 @@
+"""The drawing of all sheets, which the DXF and the SVG show alike.
+
+Terms
+-----
+layer
+    What a path is for. Names and colours are not the same in any two shops; ours say what they
+    mean, and holes have their own layer so that they can be cut first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...solver.values import Array
+from .sheets import Sheet
+from .strokes import text_strokes
+
+#: Between two sheets, and between the sheets and the scale bar, mm.
+GAP_MM = 20.0
+SCALE_BAR_MM = 100.0
+
+
+@dataclass(frozen=True, slots=True)
+class Layer:
+    """A layer's colours: AutoCAD colour index for DXF, hexadecimal for SVG."""
+
+    aci: int
+    rgb: str
+
+
+#: In the order in which a machine should work.
+LAYERS = {
+    "ENGRAVE": Layer(5, "#0000ff"),
+    "CUT_INNER": Layer(6, "#ff00ff"),
+    "CUT_OUTER": Layer(1, "#ff0000"),
+    "SHEET": Layer(8, "#808080"),
+    "SCALE": Layer(9, "#808080"),
+}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Path:
+    """A polyline on a layer; mm, y upwards."""
+
+    layer: str
+    points: Array
+    closed: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Drawing:
+    """All paths, and the corners of the box around them."""
+
+    paths: tuple[Path, ...]
+    low_mm: tuple[float, float]
+    high_mm: tuple[float, float]
+
+
+def draw(sheets: Sequence[Sheet]) -> Drawing:
+    """All sheets side by side, with a scale bar below.
+
+    Parameters
+    ----------
+    sheets : sequence of Sheet
+
+    Returns
+    -------
+    Drawing
+        Sorted by layers in the order of `LAYERS`; the first sheet's corner lies in the origin.
+    """
+    paths: list[Path] = []
+    x = 0.0
+    for sheet in sheets:
+        paths += _sheet_paths(sheet, np.array([x, 0.0]))
+        x += sheet.width_mm + GAP_MM
+    paths += _scale_bar(np.array([0.0, -GAP_MM]))
+    order = list(LAYERS)
+    paths.sort(key=lambda path: order.index(path.layer))
+    every = np.vstack([path.points for path in paths])
+    low, high = every.min(axis=0), every.max(axis=0)
+    return Drawing(tuple(paths), (float(low[0]), float(low[1])), (float(high[0]), float(high[1])))
+
+
+def _sheet_paths(sheet: Sheet, corner: Array) -> Iterator[Path]:
+    for part in sheet.parts:
+        yield from (Path("ENGRAVE", stroke + corner, False) for stroke in part.name)
+        yield from (Path("CUT_INNER", ring + corner, True) for ring in part.inner)
+        yield Path("CUT_OUTER", part.outer + corner, True)
+    width, height = sheet.width_mm, sheet.height_mm
+    border = np.array([[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]])
+    yield Path("SHEET", border + corner, True)
+    note = f"{width:g} x {height:g} x {sheet.thickness_mm:g} mm"
+    for stroke in text_strokes(note, (float(corner[0]), height + 4.0), 6.0):
+        yield Path("SHEET", stroke, False)
+
+
+def _scale_bar(corner: Array) -> Iterator[Path]:
+    end = np.array([SCALE_BAR_MM, 0.0])
+    tick = np.array([0.0, 4.0])
+    yield Path("SCALE", np.array([corner + tick, corner, corner + end, corner + end + tick]), False)
+    for stroke in text_strokes("100 mm", (SCALE_BAR_MM / 2 - 17.0, float(corner[1]) + 3.0), 6.0):
+        yield Path("SCALE", stroke, False)

@@ -1,0 +1,267 @@
+"""Who owns what: every part of space in which walls meet goes to one of them.
+
+Terms
+-----
+finger, space
+    Along a run the two walls take turns; what is one's finger is the other's space.
+piece
+    A box of shared space with its owner; everybody else is cut back there.
+order
+    One global order of the walls. A wall that ends on another comes after it; otherwise the
+    order of the model's faces decides. The lower wall owns junctions and the end fingers of
+    corners, the passing wall those of a T: so every plate stays in one piece.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from .cells import Cells, Junction, Run, meetings
+from .settings import PlateSettings
+from .walls import Wall
+
+Corner = tuple[float, float, float]
+#: How far a cut reaches beyond its piece: for each axis at the low and at the high end, mm.
+Slack = tuple[tuple[float, float], tuple[float, float], tuple[float, float]]
+NO_SLACK: Slack = ((0.0, 0.0), (0.0, 0.0), (0.0, 0.0))
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """A box of shared space: its owner, and who would take it otherwise.
+
+    Parameters
+    ----------
+    low_mm, high_mm : (x, y, z) in the frame
+    owner : int
+    rivals : tuple of int
+        Walls that could own it as well.
+    slack : Slack
+        Play around the piece, where it is cut out of the first rival.
+    """
+
+    low_mm: Corner
+    high_mm: Corner
+    owner: int
+    rivals: tuple[int, ...]
+    slack: Slack = NO_SLACK
+
+    def given_to(self, wall: int) -> Piece:
+        """The same piece with another owner."""
+        rivals = tuple(w for w in (self.owner, *self.rivals) if w != wall)
+        return Piece(self.low_mm, self.high_mm, wall, rivals)
+
+
+def share_out(walls: Sequence[Wall], settings: PlateSettings) -> list[Piece]:
+    """All pieces of a right-angled model.
+
+    Parameters
+    ----------
+    walls : sequence of Wall
+    settings : PlateSettings
+        `finger_mm`, `play_mm` and (for the narrowest finger) `kerf_mm` are used.
+
+    Returns
+    -------
+    list of Piece
+        Boxes that overlap nowhere and hold all space which several walls share.
+    """
+    cells = Cells(walls)
+    runs, junctions = meetings(cells)
+    ranks = global_order(len(walls), runs)
+    pieces = [_junction_piece(junction, ranks) for junction in junctions]
+    for run in runs:
+        if run.kind != "X":
+            pieces += _finger_pieces(run, walls, ranks, settings)
+    for run in runs:
+        if run.kind == "X":
+            pieces += _half_lap(run, walls, ranks, cells, pieces, settings.play_mm)
+    return pieces
+
+
+def global_order(count: int, runs: Iterable[Run]) -> list[int]:
+    """The rank of each wall: after all walls on which it ends, else by its number."""
+    carriers: list[set[int]] = [set() for _ in range(count)]
+    for run in runs:
+        if run.kind == "T":
+            carriers[run.two].add(run.one)
+    ranks = [-1] * count
+    for rank in range(count):
+        waiting = [w for w in range(count) if ranks[w] < 0]
+        # Walls that end on one another in a circle: the first of them has to begin.
+        ready = [w for w in waiting if all(ranks[c] >= 0 for c in carriers[w])] or waiting
+        ranks[ready[0]] = rank
+    return ranks
+
+
+def divide(length: float, target: float, least: float) -> int:
+    """Into how many equal fingers to divide a length: odd, near the target width, 1 if too short.
+
+    Parameters
+    ----------
+    length, target, least : float
+        Of the run; wished for; the narrowest allowed, mm.
+
+    Returns
+    -------
+    int
+        An odd number n with ``length / n >= least`` where n > 1.
+    """
+    most = int(length / least + 1e-9)
+    most -= 1 - most % 2
+    if most < 3:
+        return 1
+    wished = 2 * int(length / target / 2) + 1
+    wished = min((n for n in (wished, wished + 2) if n > 1), key=lambda n: abs(length / n - target))
+    return min(wished, most)
+
+
+def least_finger_mm(thickness: float, kerf: float) -> float:
+    """The narrowest finger that holds: 1.5 thicknesses, and 2 mm besides the kerf."""
+    return max(1.5 * thickness, 2.0 + kerf)
+
+
+def finger_borders(run: Run, thickness: float, settings: PlateSettings) -> list[float]:
+    """Where the fingers of a run begin and end, along its axis, mm.
+
+    Of a T that is too short for three fingers, one tab is left if it keeps one thickness of
+    material at each end.
+    """
+    length = run.high_mm - run.low_mm
+    least = least_finger_mm(thickness, settings.kerf_mm)
+    count = divide(length, settings.finger_mm, least)
+    if count == 1 and run.kind == "T" and length >= least + 2 * thickness:
+        tab = max(least, length / 3)
+        middle = (run.low_mm + run.high_mm) / 2
+        borders = [run.low_mm, middle - tab / 2, middle + tab / 2, run.high_mm]
+    else:
+        borders = [run.low_mm + length * k / count for k in range(count + 1)]
+    inner = [round(border, 6) for border in borders[1:-1]]
+    return [run.low_mm, *inner, run.high_mm]
+
+
+def _finger_pieces(
+    run: Run, walls: Sequence[Wall], ranks: list[int], settings: PlateSettings
+) -> list[Piece]:
+    first, second = run.one, run.two
+    if run.kind == "L" and ranks[second] < ranks[first]:
+        first, second = second, first
+    thickness = max(walls[first].thickness_mm, walls[second].thickness_mm)
+    borders = finger_borders(run, thickness, settings)
+    pieces = []
+    for n, (low, high) in enumerate(itertools.pairwise(borders)):
+        owner, rival = (second, first) if n % 2 else (first, second)
+        at_end = (n == 0, n == len(borders) - 2)
+        slack = _finger_slack(run, walls, owner, at_end, settings.play_mm)
+        pieces.append(_run_piece(run, walls, (low, high), owner, rival, slack))
+    return pieces
+
+
+def _finger_slack(
+    run: Run, walls: Sequence[Wall], owner: int, at_end: tuple[bool, bool], play: float
+) -> Slack:
+    """Play around a finger: half on each side of a slot; in a corner both plates give a quarter."""
+    slack = [(0.0, 0.0)] * 3
+    if run.kind == "T" and owner == run.two:
+        slack[run.axis] = slack[walls[owner].axis] = (play / 2, play / 2)
+    elif run.kind == "L":
+        slack[run.axis] = (0.0 if at_end[0] else play / 4, 0.0 if at_end[1] else play / 4)
+    return slack[0], slack[1], slack[2]
+
+
+def _run_piece(
+    run: Run,
+    walls: Sequence[Wall],
+    ends: tuple[float, float],
+    owner: int,
+    rival: int,
+    slack: Slack,
+) -> Piece:
+    low, high = [0.0] * 3, [0.0] * 3
+    for wall in (walls[run.one], walls[run.two]):
+        low[wall.axis], high[wall.axis] = wall.low_mm, wall.high_mm
+    low[run.axis], high[run.axis] = ends
+    return Piece((low[0], low[1], low[2]), (high[0], high[1], high[2]), owner, (rival,), slack)
+
+
+def _junction_piece(junction: Junction, ranks: list[int]) -> Piece:
+    members = sorted(junction.members, key=lambda wall: ranks[wall])
+    return Piece(junction.low_mm, junction.high_mm, members[0], tuple(members[1:]))
+
+
+def _half_lap(
+    run: Run,
+    walls: Sequence[Wall],
+    ranks: list[int],
+    cells: Cells,
+    pieces: list[Piece],
+    play: float,
+) -> list[Piece]:
+    """Two walls through one another: each has a slot to the middle, open at one end.
+
+    A slot can only open where its wall does not go on; a wall that goes on at both ends gets one
+    closed slot and the other wall goes through it whole. Where even that cannot be, the plates
+    stay whole, though they can be put together only in pieces.
+    """
+    first, second = sorted((run.one, run.two), key=lambda wall: ranks[wall])
+    goes_on = {w: _goes_on(run, w, walls, cells, pieces) for w in (first, second)}
+    # The owner of the low half has its slot in the high half, and the other way round.
+    orders = ((first, second), (second, first))
+    opens = [not goes_on[low][1] and not goes_on[high][0] for low, high in orders]
+    for whole, other in ((second, first), (first, second)):
+        if not any(opens) and all(goes_on[other]):
+            ends = (run.low_mm, run.high_mm)
+            return [_lap(run, walls, ends, whole, other, (play / 2, play / 2))]
+    low, high = orders[opens.index(True)] if any(opens) else orders[0]
+    middle = round((run.low_mm + run.high_mm) / 2, 6)
+    return [
+        _lap(run, walls, (run.low_mm, middle), low, high, (0.0, play / 4)),
+        _lap(run, walls, (middle, run.high_mm), high, low, (play / 4, 0.0)),
+    ]
+
+
+def _lap(
+    run: Run,
+    walls: Sequence[Wall],
+    ends: tuple[float, float],
+    owner: int,
+    rival: int,
+    along: tuple[float, float],
+) -> Piece:
+    slack = [(0.0, 0.0)] * 3
+    slack[run.axis] = along
+    half = 2 * max(along)
+    slack[walls[owner].axis] = (half, half) if ends != (run.low_mm, run.high_mm) else along
+    return _run_piece(run, walls, ends, owner, rival, (slack[0], slack[1], slack[2]))
+
+
+def _goes_on(
+    run: Run, wall: int, walls: Sequence[Wall], cells: Cells, pieces: list[Piece]
+) -> tuple[bool, bool]:
+    """Whether a wall has material of its own just before and just beyond a run."""
+    other = run.two if wall == run.one else run.one
+    span, across = cells.spans[other], walls[other].axis
+    flags = cells.in_plane(cells.full[wall], wall, across, span).max(axis=0).tolist()
+    lines = cells.lines[run.axis]
+    result = []
+    for at, step in ((run.low_mm, -1), (run.high_mm, 1)):
+        border = int(abs(lines - at).argmin())
+        cell = border - 1 if step < 0 else border
+        there = 0 <= cell < len(flags) and flags[cell]
+        if there:
+            point = [0.0] * 3
+            for member in (walls[wall], walls[other]):
+                # Off the middle: there the drawn planes of other walls are, and no piece.
+                point[member.axis] = 0.63 * member.low_mm + 0.37 * member.high_mm
+            point[run.axis] = at + 1e-3 * step
+            there = all(piece.owner == wall for piece in pieces if _holds(piece, point))
+        result.append(there)
+    return result[0], result[1]
+
+
+def _holds(piece: Piece, point: Sequence[float]) -> bool:
+    return all(
+        low < x < high for low, x, high in zip(piece.low_mm, point, piece.high_mm, strict=True)
+    )

@@ -1,0 +1,146 @@
+"""What is left of each wall: its region without the pieces that others own.
+
+Terms
+-----
+island
+    A part of a plate that hangs together with the rest nowhere, or by a corner only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import shapely
+from shapely.geometry import Polygon, box
+
+from .errors import FabricationError
+from .finger_joints import NO_SLACK, Piece
+from .walls import GRID_MM, Wall, tidy
+
+#: A connection narrower than twice this is none, mm.
+NECK_MM = 0.05
+_ROUNDS = 12
+
+
+def cut_outlines(walls: Sequence[Wall], pieces: Sequence[Piece]) -> list[Polygon]:
+    """The outline of each wall's plate, in the coordinates of its region.
+
+    Parameters
+    ----------
+    walls : sequence of Wall
+    pieces : sequence of Piece
+        Where a plate would fall apart, islands' pieces are given to their rivals.
+
+    Returns
+    -------
+    list of Polygon
+        One for each wall, in one piece.
+
+    Raises
+    ------
+    FabricationError
+        Where a wall falls apart whatever is done.
+    """
+    shared = list(pieces)
+    settled: set[int] = set()
+    for _ in range(_ROUNDS):
+        outlines = [_outline(i, wall, shared) for i, wall in enumerate(walls)]
+        changes: dict[int, int] = {}
+        for i, wall in enumerate(walls):
+            for n, owner in _mended(i, wall, outlines[i], shared).items():
+                if n not in settled:
+                    changes.setdefault(n, owner)
+        if not changes:
+            break
+        # Each piece changes hands once: two walls cannot go on taking it from one another.
+        settled |= set(changes)
+        for n, owner in changes.items():
+            shared[n] = shared[n].given_to(owner)
+    outlines = [_main_part(wall, outline) for wall, outline in zip(walls, outlines, strict=True)]
+    for wall, outline in zip(walls, outlines, strict=True):
+        if outline.is_empty or len(_parts(outline)) > 1:
+            raise FabricationError(
+                "the joints would cut the plate into pieces",
+                wall.face_ids,
+                "thinner plates, or walls further apart",
+            )
+    return [tidy(max(shapely.get_parts(o), key=lambda part: part.area)) for o in outlines]
+
+
+def _outline(number: int, wall: Wall, pieces: Sequence[Piece]) -> Polygon:
+    holes = [
+        _projected(piece, wall, number)
+        for piece in pieces
+        if piece.owner != number and _overlaps(piece, wall)
+    ]
+    if not holes:
+        return wall.region
+    cut = wall.region.difference(shapely.union_all(holes, grid_size=GRID_MM), grid_size=GRID_MM)
+    return _without_dust(cut)
+
+
+def _without_dust(cut: Polygon) -> Polygon:
+    """The polygon without slivers that rounding leaves along aslant borders."""
+    parts = [p for p in shapely.get_parts(cut) if p.geom_type == "Polygon" and p.area > 1e-4]
+    return parts[0] if len(parts) == 1 else shapely.MultiPolygon(parts)
+
+
+def _overlaps(piece: Piece, wall: Wall) -> bool:
+    low, high = piece.low_mm[wall.axis], piece.high_mm[wall.axis]
+    return min(high, wall.high_mm) - max(low, wall.low_mm) > GRID_MM
+
+
+def _projected(piece: Piece, wall: Wall, number: int) -> Polygon:
+    slack = piece.slack if piece.rivals[:1] == (number,) else NO_SLACK
+    u, v = wall.plane_axes
+    return box(
+        piece.low_mm[u] - slack[u][0],
+        piece.low_mm[v] - slack[v][0],
+        piece.high_mm[u] + slack[u][1],
+        piece.high_mm[v] + slack[v][1],
+    )
+
+
+def _parts(outline: Polygon) -> list[Polygon]:
+    """The parts of an outline that hang together by more than a neck."""
+    thinned = outline.buffer(-NECK_MM, join_style="mitre")
+    return [part for part in shapely.get_parts(thinned) if part.area > NECK_MM**2]
+
+
+def _main_part(wall: Wall, outline: Polygon) -> Polygon:
+    """The outline without loose corners that were never drawn, only added by lengthening."""
+    parts = sorted(shapely.get_parts(outline), key=lambda part: -part.area)
+    drawn = wall.drawn.buffer(-NECK_MM)
+    return shapely.union_all([*parts[:1], *(part for part in parts[1:] if part.intersects(drawn))])
+
+
+def _mended(number: int, wall: Wall, outline: Polygon, pieces: Sequence[Piece]) -> dict[int, int]:
+    """New owners for pieces, so that a plate that falls apart hangs together.
+
+    What makes islands goes to its first rival. An island of material that nobody else could have
+    takes the pieces beside it.
+    """
+    parts = _parts(outline)
+    if len(parts) < 2:
+        return {}
+    parts.remove(max(parts, key=lambda part: part.area))
+    changes: dict[int, int] = {}
+    for island in parts:
+        reach = island.buffer(3 * NECK_MM, join_style="mitre")
+        near = {
+            n: _projected(piece, wall, number)
+            for n, piece in enumerate(pieces)
+            if number in (piece.owner, *piece.rivals) and _overlaps(piece, wall)
+        }
+        own = {
+            n: pieces[n].rivals[0]
+            for n, area in near.items()
+            if pieces[n].owner == number and pieces[n].rivals and island.intersects(area.centroid)
+        }
+        covered = shapely.union_all([near[n] for n in own]).area if own else 0.0
+        if covered > 0.9 * island.area:
+            changes |= own
+        else:
+            beside = (n for n in near if pieces[n].owner != number)
+            changes |= {n: number for n in beside if reach.intersection(near[n]).area > NECK_MM}
+    return changes

@@ -1,0 +1,169 @@
+"""The closed block that a model's faces bound, with exactly flat faces.
+
+Terms
+-----
+skin
+    The faces that bound the block, left out or not; partitions are no part of it.
+refit
+    Faces of a solve are flat to about 1e-4 mm only. Planes are fitted to the faces and the
+    vertices put where their planes meet, in turns, until both agree.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from ...solver.model import Model
+from ...solver.values import Array
+from .errors import FabricationError
+from .frame import SNAP_MM, newell
+from .sides import face_sides
+
+Loop = tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Polyhedron:
+    """A closed block and the partitions in it.
+
+    Parameters
+    ----------
+    vertices_mm : mapping of vertex id to (3,) array
+    skin : mapping of face id to loops
+        Outer loop and holes as vertex ids, those on their edges included.
+    openings : tuple of face ids
+        The faces of the skin that are left out.
+    partitions : mapping of face id to loops
+    """
+
+    vertices_mm: Mapping[str, Array]
+    skin: Mapping[str, tuple[Loop, ...]]
+    openings: tuple[str, ...]
+    partitions: Mapping[str, tuple[Loop, ...]]
+
+    def points(self, loop: Loop) -> Array:
+        """Positions of a loop, (n, 3)."""
+        return np.array([self.vertices_mm[v] for v in loop])
+
+
+def polyhedron_of(model: Model) -> Polyhedron:
+    """The block of a model.
+
+    Parameters
+    ----------
+    model : Model
+
+    Returns
+    -------
+    Polyhedron
+
+    Raises
+    ------
+    FabricationError
+        Where the faces do not close (naming the open edges) or are not flat (naming the faces).
+    """
+    loops = {id_: (face.loop, *face.holes) for id_, face in model.faces.items()}
+    vertices = refit(model, loops)
+    placed = {
+        id_: tuple(np.array([vertices[v] for v in loop]) for loop in face)
+        for id_, face in loops.items()
+    }
+    sides = face_sides(placed, list(loops))
+    partitions = {id_: loops[id_] for id_, side in sides.items() if side == 0}
+    skin = {
+        id_: tuple(_with_corners(loop, vertices) for loop in face)
+        for id_, face in loops.items()
+        if id_ not in partitions
+    }
+    _check_closed(model, skin)
+    openings = tuple(id_ for id_ in skin if not model.faces[id_].included)
+    kept = {id_: face for id_, face in partitions.items() if model.faces[id_].included}
+    return Polyhedron(vertices, skin, openings, kept)
+
+
+def refit(model: Model, loops: Mapping[str, tuple[Loop, ...]]) -> dict[str, Array]:
+    """Vertices in the meeting points of the planes fitted to their faces."""
+    vertices = {}
+    for id_, face in model.faces.items():
+        for names, positions in zip(loops[id_], (face.loop_mm, *face.holes_mm), strict=True):
+            vertices.update({v: np.array(x) for v, x in zip(names, positions, strict=True)})
+    start = dict(vertices)
+    faces_at: dict[str, list[str]] = {}
+    for id_, face_loops in loops.items():
+        for v in {v for loop in face_loops for v in loop}:
+            faces_at.setdefault(v, []).append(id_)
+    for _ in range(200):
+        planes = {id_: _plane(id_, face, vertices) for id_, face in loops.items()}
+        off = 0.0
+        for v, faces in faces_at.items():
+            normals = np.array([planes[f][0] for f in faces])
+            gaps = np.array([planes[f][1] for f in faces]) - normals @ vertices[v]
+            # The least move into all planes; what they do not say stays.
+            vertices[v] = vertices[v] + np.linalg.lstsq(normals, gaps, rcond=1e-6)[0]
+            off = max(off, float(np.abs(gaps).max()))
+        if off < 1e-10:
+            break
+    moved = {v for v in vertices if np.linalg.norm(vertices[v] - start[v]) > 5 * SNAP_MM}
+    bent = [id_ for id_, face in loops.items() if moved & {v for loop in face for v in loop}]
+    if off > 1e-6 or bent:
+        raise FabricationError(
+            "these faces are not flat", bent or loops, "right-angle annotations, or split the faces"
+        )
+    return vertices
+
+
+def _plane(id_: str, loops: Iterable[Loop], vertices: Mapping[str, Array]) -> tuple[Array, float]:
+    """Unit normal n and distance d of the plane n . x = d that fits best."""
+    points = np.array([vertices[v] for loop in loops for v in loop])
+    middle = points.mean(axis=0)
+    _, spread, axes = np.linalg.svd(points - middle)
+    if spread[1] < SNAP_MM:
+        raise FabricationError("the face has no area", (id_,), "delete it or draw it again")
+    return axes[2], float(axes[2] @ middle)
+
+
+def _with_corners(loop: Loop, vertices: Mapping[str, Array]) -> Loop:
+    """The loop with all vertices that lie on its edges, so that neighbours share them."""
+    names = list(vertices)
+    points = np.array([vertices[v] for v in names])
+    result: list[str] = []
+    for v, w in pairwise((*loop, loop[0])):
+        a, span = vertices[v], vertices[w] - vertices[v]
+        along = (points - a) @ span / (span @ span)
+        off = np.linalg.norm(points - a - np.outer(along, span), axis=1)
+        on = np.flatnonzero((off < 1e-5) & (along > 1e-9) & (along < 1 - 1e-9))
+        between = [names[n] for n in on[np.argsort(along[on], kind="stable")]]
+        result += [v, *(name for name in between if name not in (v, w))]
+    return tuple(result)
+
+
+def _check_closed(model: Model, skin: Mapping[str, Sequence[Loop]]) -> None:
+    """Every edge of the skin must join exactly two faces."""
+    faces_at: dict[frozenset[str], list[str]] = {}
+    for id_, loops in skin.items():
+        for loop in loops:
+            for v, w in pairwise((*loop, loop[0])):
+                faces_at.setdefault(frozenset((v, w)), []).append(id_)
+    for wrong, what, remedy in (
+        (1, "the faces do not close: these edges lie open", "draw the missing face; leave it out"),
+        (3, "more than two outer faces meet in these edges", "leave one of the faces out"),
+    ):
+        edges = [e for e, faces in faces_at.items() if min(len(faces), 3) == wrong]
+        if edges:
+            raise FabricationError(what, _edge_names(edges, model), remedy)
+    if len(skin) < 4:
+        raise FabricationError("the faces do not enclose anything", skin, "a closed set of faces")
+
+
+def _edge_names(edges: Iterable[frozenset[str]], model: Model) -> list[str]:
+    names = {frozenset(ends): id_ for id_, ends in model.edges.items()}
+    return sorted({names.get(edge) or "-".join(sorted(edge)) for edge in edges})
+
+
+def area_vector(polyhedron: Polyhedron, face: str) -> Array:
+    """Normal times area of a face of the skin, its loop's sense."""
+    return newell(polyhedron.points(polyhedron.skin[face][0]))

@@ -1,0 +1,130 @@
+"""Where walls at any angle meet: seams and corners.
+
+Terms
+-----
+seam
+    An edge in which exactly two walls meet, or a wall and an opening.
+corner
+    A point in which walls meet.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from ...solver.values import Array
+from .errors import FabricationError
+from .frame import SNAP_MM
+from .slanted_walls import SlantedWall
+
+Key = tuple[int, int, int]
+EdgeKey = tuple[int, int, int]  # wall, ring, edge
+
+
+@dataclass(frozen=True, slots=True)
+class Seam:
+    """Where an edge of one wall meets an edge of another.
+
+    Parameters
+    ----------
+    other : int
+        The other wall's number.
+    other_edge : tuple of (ring, edge)
+        Its edge there; it runs the other way.
+    theta_rad : float
+        Interior dihedral angle.
+    """
+
+    other: int
+    other_edge: tuple[int, int]
+    theta_rad: float
+
+
+Seams = dict[EdgeKey, Seam]
+
+
+def find_seams(walls: Sequence[SlantedWall]) -> dict[tuple[int, int, int], Seam]:
+    """The seams by (wall, ring, edge); edges that are not in it lie free.
+
+    Raises
+    ------
+    FabricationError
+        Where three or more walls meet in one edge.
+    """
+    users: dict[frozenset[Key], list[tuple[int, int, int]]] = {}
+    for w, wall in enumerate(walls):
+        for r, ring in enumerate(wall.rings):
+            keys = [_key(point) for point in wall.in_world(ring)]
+            for e, ends in enumerate(pairwise([*keys, keys[0]])):
+                users.setdefault(frozenset(ends), []).append((w, r, e))
+    seams = {}
+    for edges in users.values():
+        made = [edge for edge in edges if walls[edge[0]].thickness_mm > 0]
+        edges = made if len(made) > 1 else edges
+        if len(made) > 2:
+            raise FabricationError(
+                "more than two plates meet in one edge",
+                (walls[w].face_ids[0] for w, _, _ in edges),
+                "right angles: there partitions are made",
+            )
+        if len(edges) == 2 and made:
+            one, two = edges
+            theta = _theta(walls[one[0]], one[1:], walls[two[0]], two[1:])
+            seams[one] = Seam(two[0], two[1:], theta)
+            seams[two] = Seam(one[0], one[1:], theta)
+    return seams
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Corner:
+    """A point in which walls meet: their numbers, their edges there, the shortest one's length."""
+
+    point: Array
+    walls: tuple[int, ...]
+    edges: tuple[tuple[int, int, int], ...]
+    reach: float
+
+
+def find_corners(walls: Sequence[SlantedWall]) -> list[Corner]:
+    """All corners of the walls."""
+    found: dict[Key, list[tuple[int, int, int]]] = {}
+    points: dict[Key, Array] = {}
+    for w, wall in enumerate(walls):
+        for r, ring in enumerate(wall.rings):
+            for e, point in enumerate(wall.in_world(ring)):
+                points.setdefault(_key(point), point)
+                # The edge that begins here and the one that ends here.
+                found.setdefault(_key(point), []).extend(((w, r, e), (w, r, (e - 1) % len(ring))))
+    corners = []
+    for key, edges in found.items():
+        reach = min(edge_frame(walls[w], r, e)[3] for w, r, e in edges)
+        numbers = tuple(dict.fromkeys(w for w, _, _ in edges))
+        corners.append(Corner(points[key], numbers, tuple(edges), reach))
+    return corners
+
+
+def _key(point: Array) -> Key:
+    x, y, z = np.round(point / (SNAP_MM / 2)).astype(int).tolist()
+    return x, y, z
+
+
+def edge_frame(wall: SlantedWall, ring: int, edge: int) -> tuple[Array, Array, Array, float]:
+    """Start, direction, direction into the wall, and length of an edge, in the wall's plane."""
+    points = wall.rings[ring]
+    start, end = points[edge], points[(edge + 1) % len(points)]
+    length = float(np.linalg.norm(end - start))
+    along = (end - start) / length
+    return start, along, np.array([-along[1], along[0]]), length
+
+
+def _theta(one: SlantedWall, e: tuple[int, int], two: SlantedWall, f: tuple[int, int]) -> float:
+    """Interior dihedral angle between two walls at their common edge, rad."""
+    into_one = one.world_from_wall[:3, :2] @ edge_frame(one, *e)[2]
+    into_two = two.world_from_wall[:3, :2] @ edge_frame(two, *f)[2]
+    angle = math.acos(float(np.clip(into_one @ into_two, -1.0, 1.0)))
+    return angle if into_two @ one.inwards > 0 else 2 * math.pi - angle

@@ -1,0 +1,174 @@
+"""Plates laid out on sheets of stock.
+
+Terms
+-----
+sheet
+    The stock; all plates on one sheet have its thickness.
+part
+    A plate's cut paths at their place on a sheet, with its name to be engraved.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from shapely.geometry import Polygon, box
+
+from ...solver.values import Array
+from .cut_paths import CutPath, cut_path
+from .errors import FabricationError
+from .packing import pack
+from .plates import Plate
+from .settings import USUAL_SHEETS_MM, PlateSettings
+from .strokes import text_strokes, text_width_mm
+
+#: Heights of engraved names, mm; the largest that fits is taken.
+TEXT_HEIGHTS_MM = (8.0, 6.0, 5.0, 4.0, 3.0, 2.5)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Part:
+    """One plate on a sheet; all positions in mm from the sheet's lower left corner.
+
+    Parameters
+    ----------
+    plate_id : str
+    outer : (k, 2) array
+    inner : tuple of (k, 2) arrays
+    name : tuple of (k, 2) arrays
+        The strokes of its name; empty where it does not fit.
+    """
+
+    plate_id: str
+    outer: Array
+    inner: tuple[Array, ...]
+    name: tuple[Array, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Sheet:
+    """A sheet of stock with its parts."""
+
+    width_mm: float
+    height_mm: float
+    thickness_mm: float
+    parts: tuple[Part, ...]
+
+
+def lay_out(plates: Sequence[Plate], settings: PlateSettings) -> tuple[Sheet, ...]:
+    """Cut paths of all plates, laid out on as few sheets as can be found.
+
+    Parameters
+    ----------
+    plates : sequence of Plate
+    settings : PlateSettings
+        `kerf_mm`, `sheet_mm`, `margin_mm` and `spacing_mm` are used.
+
+    Returns
+    -------
+    tuple of Sheet
+        Thin stock first.
+
+    Raises
+    ------
+    FabricationError
+        Where a plate is larger than the sheet, or a notch narrower than the kerf.
+    """
+    paths = [cut_path(plate, settings.kerf_mm) for plate in plates]
+    size = settings.sheet_mm or _usual_sheet(paths, settings)
+    _check_fit(paths, size, settings)
+    sheets: list[Sheet] = []
+    for thickness in sorted({path.thickness_mm for path in paths}):
+        group = [path for path in paths if path.thickness_mm == thickness]
+        sheets += _sheets(group, size, thickness, settings)
+    return tuple(sheets)
+
+
+def _size(path: CutPath) -> tuple[float, float]:
+    width, height = np.ptp(path.outer, axis=0)
+    return float(width), float(height)
+
+
+def _room(size: tuple[float, float], settings: PlateSettings) -> tuple[float, float]:
+    return size[0] - 2 * settings.margin_mm, size[1] - 2 * settings.margin_mm
+
+
+def _fits(path: CutPath, room: tuple[float, float]) -> bool:
+    width, height = _size(path)
+    long, short = max(room), min(room)
+    return max(width, height) <= long + 1e-9 and min(width, height) <= short + 1e-9
+
+
+def _usual_sheet(paths: Sequence[CutPath], settings: PlateSettings) -> tuple[float, float]:
+    for size in USUAL_SHEETS_MM:
+        if all(_fits(path, _room(size, settings)) for path in paths):
+            return size
+    return USUAL_SHEETS_MM[-1]
+
+
+def _check_fit(
+    paths: Sequence[CutPath], size: tuple[float, float], settings: PlateSettings
+) -> None:
+    room = _room(size, settings)
+    large = [path for path in paths if not _fits(path, room)]
+    if large:
+        width, height = _size(large[0])
+        raise FabricationError(
+            f"a plate of {width:.1f} x {height:.1f} mm does not fit on a sheet of {size[0]:g} x "
+            f"{size[1]:g} mm with a margin of {settings.margin_mm:g} mm",
+            (path.plate_id for path in large),
+            "a larger sheet",
+        )
+
+
+def _sheets(
+    paths: Sequence[CutPath],
+    size: tuple[float, float],
+    thickness: float,
+    settings: PlateSettings,
+) -> list[Sheet]:
+    gap, room = settings.spacing_mm, _room(size, settings)
+    sizes = [(width + gap, height + gap) for width, height in map(_size, paths)]
+    places = pack(sizes, (room[0] + gap, room[1] + gap))
+    sheets = []
+    for number in range(max(place.sheet for place in places) + 1):
+        parts = []
+        for path, place in zip(paths, places, strict=True):
+            if place.sheet == number:
+                corner = np.array([place.x + settings.margin_mm, place.y + settings.margin_mm])
+                parts.append(_part(path, corner, turned=place.turned))
+        sheets.append(Sheet(size[0], size[1], thickness, tuple(parts)))
+    return sheets
+
+
+def _part(path: CutPath, corner: Array, *, turned: bool) -> Part:
+    turn = np.array([[0.0, -1.0], [1.0, 0.0]]) if turned else np.eye(2)
+    shift = corner - (path.outer @ turn.T).min(axis=0)
+    outer, *inner = (np.round(ring @ turn.T + shift, 6) + 0.0 for ring in (path.outer, *path.inner))
+    return Part(path.plate_id, outer, tuple(inner), tuple(_name(path.plate_id, outer, inner)))
+
+
+def _name(text: str, outer: Array, inner: Sequence[Array]) -> list[Array]:
+    """Strokes of a name where it lies wholly within the part, near its middle."""
+    free = Polygon(outer, inner).buffer(-1.0, join_style="mitre")
+    if free.is_empty:
+        return []
+    shapely.prepare(free)
+    for height in TEXT_HEIGHTS_MM:
+        width = text_width_mm(text, height)
+        for x, y in _spots(outer):
+            low = (x - width / 2, y - height / 2)
+            if free.contains(box(*low, x + width / 2, y + height / 2)):
+                return text_strokes(text, low, height)
+    return []
+
+
+def _spots(outer: Array) -> list[tuple[float, float]]:
+    """Places in a part's bounding box, from its middle outwards."""
+    low, high = outer.min(axis=0), outer.max(axis=0)
+    shares = np.array([(x, y) for x in range(-4, 5) for y in range(-4, 5)]) / 10.0
+    shares = shares[np.argsort(np.round(np.linalg.norm(shares, axis=1), 6), kind="stable")]
+    return [(float(x), float(y)) for x, y in low + (0.5 + shares) * (high - low)]

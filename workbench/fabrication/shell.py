@@ -1,0 +1,182 @@
+"""A hollow solid with walls of one thickness, for a 3D printer ([Lau10] 4.4).
+
+Terms
+-----
+wall
+    The material between the drawn faces and their copies, moved by its thickness.
+opening
+    A face left out: the hollow reaches through it.
+window
+    An opening that lies in one plane with a wall beside it; it is cut through that wall.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, cast
+
+import numpy as np
+
+from ...solver.model import Model
+from ...solver.values import Array
+from .errors import FabricationError
+from .polyhedra import Loop, Polyhedron, area_vector, polyhedron_of
+from .settings import ShellSettings
+
+if TYPE_CHECKING:
+    import cadquery as cq
+
+_DEFAULTS = ShellSettings()
+_EPS = 1e-6
+
+
+def shell_solid(model: Model, settings: ShellSettings = _DEFAULTS) -> cq.Shape:
+    """The model as one hollow solid.
+
+    Parameters
+    ----------
+    model : Model
+        Its faces must close; those left out are openings. Partitions become walls.
+    settings : ShellSettings
+
+    Returns
+    -------
+    cadquery.Shape
+        One valid solid in world mm, its corners sharp, its walls exactly `wall_mm` thick.
+
+    Raises
+    ------
+    FabricationError
+        Where the faces do not close, or the walls are too thick for the object.
+    """
+    body = polyhedron_of(model)
+    block = _block(body)
+    windows = [id_ for id_ in body.openings if _is_window(body, id_)]
+    mouths = [id_ for id_ in body.openings if id_ not in windows]
+    wall = settings.wall_mm
+    moves = {"inside": [-wall], "outside": [wall], "middle": [-wall / 2, wall / 2]}[settings.side]
+    parts = [_hollow(block, body, mouths, move) for move in moves]
+    slabs = [_thick(body, loops, -wall / 2, wall / 2) for loops in body.partitions.values()]
+    parts += [slab.intersect(block) for slab in slabs]
+    solid = parts[0].fuse(*parts[1:]) if len(parts) > 1 else parts[0]
+    for id_ in windows:
+        # Beyond the wall on both sides, but not further into the hollow than the wall is thick.
+        solid = solid.cut(_thick(body, body.skin[id_], -wall, wall))
+    return _one_solid(solid.clean() if len(parts) > 1 or windows else solid, block)
+
+
+def _polygon(points: Array, holes: Iterable[Array] = ()) -> cq.Face:
+    import cadquery as cq
+
+    def wire(ring: Array) -> cq.Wire:
+        return cq.Wire.makePolygon([cq.Vector(*p) for p in ring.tolist()], close=True)
+
+    return cq.Face.makeFromWires(wire(points), [wire(hole) for hole in holes])
+
+
+def _block(body: Polyhedron) -> cq.Solid:
+    """The solid block, faces of one plane made one."""
+    import cadquery as cq
+
+    faces = [
+        _polygon(body.points(loops[0]), map(body.points, loops[1:])) for loops in body.skin.values()
+    ]
+    shell = cq.Shell.makeShell(faces)
+    block = cq.Solid.makeSolid(shell)
+    if block.Volume() < 0:
+        block = cq.Solid(block.wrapped.Reversed())
+    block = cq.Solid(block.fix().clean().wrapped)
+    if block.ShapeType() != "Solid" or not block.isValid() or block.Volume() < _EPS:
+        raise FabricationError(
+            "the faces enclose no solid", body.skin, "faces that meet in their edges only"
+        )
+    return block
+
+
+def _hollow(block: cq.Solid, body: Polyhedron, mouths: Sequence[str], move: float) -> cq.Shape:
+    """The walls between the block's surface and its copy moved by `move` (outwards where > 0)."""
+    from OCP.Standard import Standard_Failure
+    from OCP.StdFail import StdFail_NotDone
+
+    removed = [_face_at(block, body, id_) for id_ in mouths]
+    too_thick = FabricationError(
+        f"no wall of {abs(move):g} mm can be made", (), "a thinner wall, or the other side"
+    )
+    try:
+        # "intersection" keeps corners sharp and offsets planes exactly.
+        hollow = block.hollow(removed, move, kind="intersection")
+    except (Standard_Failure, StdFail_NotDone, ValueError) as error:
+        raise too_thick from error
+    whole, rest = block.Volume(), hollow.Volume()
+    # The kernel may hand the block back unchanged, or turned inside out, and call it valid.
+    fits = _EPS < rest < whole - _EPS if move < 0 else rest > _EPS
+    if not fits or abs(rest - whole) < _EPS or not hollow.isValid():
+        raise too_thick
+    return cast("cq.Shape", hollow)
+
+
+def _inner_point(points: Array) -> Array:
+    """A point within a planar polygon of any form."""
+    import shapely
+
+    normal = _normal(points)
+    along = points[1] - points[0]
+    along = along / np.linalg.norm(along)
+    axes = np.array([along, np.cross(normal, along)])
+    spot = shapely.Polygon((points - points[0]) @ axes.T).representative_point()
+    return np.asarray(points[0] + np.array([spot.x, spot.y]) @ axes)
+
+
+def _normal(points: Array) -> Array:
+    from .frame import newell
+
+    area = newell(points)
+    return np.asarray(area / np.linalg.norm(area))
+
+
+def _face_at(block: cq.Solid, body: Polyhedron, id_: str) -> cq.Face:
+    """The block's face of which an opening is made."""
+    import cadquery as cq
+
+    point = cq.Vertex.makeVertex(*_inner_point(body.points(body.skin[id_][0])).tolist())
+    return min(block.Faces(), key=lambda face: float(face.distance(point)))
+
+
+def _is_window(body: Polyhedron, id_: str) -> bool:
+    """Whether a face that is made touches an opening in its own plane."""
+    loops, area = body.skin[id_], area_vector(body, id_)
+    corners = {v for loop in loops for v in loop}
+    plane = area / np.linalg.norm(area)
+    at = float(plane @ body.vertices_mm[loops[0][0]])
+    for other, other_loops in body.skin.items():
+        if other in body.openings:
+            continue
+        shared = corners & {v for loop in other_loops for v in loop}
+        points = np.vstack([body.points(loop) for loop in other_loops])
+        if len(shared) > 1 and np.abs(points @ plane - at).max() < 1e-4:
+            return True
+    return False
+
+
+def _thick(body: Polyhedron, loops: Sequence[Loop], low: float, high: float) -> cq.Solid:
+    """A face made thick, from `low` to `high` along its normal."""
+    import cadquery as cq
+
+    rings = [body.points(loop) for loop in loops]
+    normal = _normal(rings[0])
+    start, way = normal * low, normal * (high - low)
+    face = _polygon(rings[0] + start, [ring + start for ring in rings[1:]])
+    return cq.Solid.extrudeLinear(face, cq.Vector(*way.tolist()))
+
+
+def _one_solid(shape: cq.Shape, block: cq.Solid) -> cq.Shape:
+    solids = shape.Solids()
+    if len(solids) != 1 or not solids[0].isValid():
+        raise FabricationError(
+            f"the walls make {len(solids)} solids instead of one",
+            (),
+            "a thinner wall, or partitions that stand at right angles to the walls they meet",
+        )
+    if solids[0].Volume() < _EPS * block.Volume():
+        raise FabricationError("nothing is left of the walls", (), "a thicker wall")
+    return solids[0]

@@ -1,0 +1,208 @@
+"""Walls at any angle: the start of the band model.
+
+Terms
+-----
+wall frame
+    Origin in the outer plane, x and y in it, z to the inside; the material lies from z = 0 to
+    z = thickness.
+outer plane
+    The drawn plane where the material lies inside of it, else the drawn plane moved outwards.
+opening
+    A face left out: a wall without thickness, of which nothing is made. Plates end at it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+import shapely
+from shapely.geometry import Polygon
+
+from ...solver.model import Model
+from ...solver.values import Array
+from .errors import FabricationError
+from .frame import SNAP_MM, newell
+from .polyhedra import refit
+from .sides import face_sides
+from .walls import tidy
+
+#: Coordinates are multiples of this, mm: at slanted edges coarser ones would make plates overlap.
+FINE_MM = 1e-9
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SlantedWall:
+    """One flat wall: `rings` are its outline (ccw, seen from inside) and holes, (n, 2) each.
+
+    An opening has the thickness 0.
+    """
+
+    face_ids: tuple[str, ...]
+    thickness_mm: float
+    world_from_wall: Array
+    rings: tuple[Array, ...]
+
+    def in_world(self, points: Array) -> Array:
+        """World positions of points (n, 2) of the outer plane."""
+        axes = self.world_from_wall[:3, :2]
+        return np.asarray(points @ axes.T + self.world_from_wall[:3, 3])
+
+    @property
+    def inwards(self) -> Array:
+        """Unit normal to the inside."""
+        return np.asarray(self.world_from_wall[:3, 2])
+
+
+def slanted_walls(model: Model, side: str) -> tuple[SlantedWall, ...]:
+    """The walls of a model whose faces stand at any angles, then its openings.
+
+    Raises
+    ------
+    FabricationError
+        Naming partitions (not made at other than right angles) and faces that are not flat.
+    """
+    loops = {id_: (face.loop, *face.holes) for id_, face in model.faces.items()}
+    vertices = refit(model, loops)
+    made = [id_ for id_, face in model.faces.items() if face.included]
+    left_out = [id_ for id_, face in model.faces.items() if not face.included]
+    placed = {
+        id_: tuple(np.array([vertices[v] for v in loop]) for loop in face)
+        for id_, face in loops.items()
+    }
+    sides = face_sides(placed, [*made, *left_out])
+    partitions = [id_ for id_ in made if sides[id_] == 0]
+    if partitions:
+        raise FabricationError(
+            "partitions are made in right-angled models only",
+            partitions,
+            "leave them out, or add right-angle annotations",
+        )
+    shown = [*made, *(id_ for id_ in left_out if sides[id_] != 0)]
+    inwards = {id_: sides[id_] * _unit(newell(placed[id_][0])) for id_ in shown}
+    share = {"inside": 0.0, "middle": 0.5, "outside": 1.0}[side]
+    thickness = {id_: model.faces[id_].thickness_mm if id_ in made else 0.0 for id_ in shown}
+    outer = _moved_out(vertices, loops, inwards, {f: share * t for f, t in thickness.items()})
+    groups: list[list[str]] = []
+    for id_ in shown:
+        for group in groups:
+            if thickness[group[0]] == thickness[id_] and _coplanar(
+                outer[loops[group[0]][0][0]],
+                inwards[group[0]],
+                outer[loops[id_][0][0]],
+                inwards[id_],
+            ):
+                group.append(id_)
+                break
+        else:
+            groups.append([id_])
+    walls = [
+        wall
+        for group in groups
+        for wall in _walls(group, loops, outer, inwards[group[0]], thickness[group[0]])
+    ]
+    walls.sort(key=lambda wall: shown.index(wall.face_ids[0]))
+    return _with_common_corners(walls)
+
+
+def _unit(vector: Array) -> Array:
+    return np.asarray(vector / np.linalg.norm(vector))
+
+
+def _coplanar(p: Array, n: Array, q: Array, m: Array) -> bool:
+    return bool(n @ m > 1 - 1e-9) and abs(float(n @ (q - p))) < SNAP_MM / 10
+
+
+def _moved_out(
+    vertices: Mapping[str, Array],
+    loops: Mapping[str, Sequence[Sequence[str]]],
+    inwards: Mapping[str, Array],
+    moves: Mapping[str, float],
+) -> dict[str, Array]:
+    """The vertices after each face's plane was moved outwards."""
+    result = dict(vertices)
+    for v in vertices:
+        at = [f for f in inwards if any(v in loop for loop in loops[f])]
+        if not at:
+            continue
+        move = _common_move(at, inwards, moves)
+        if move is None:  # an opening need not be kept to
+            move = _common_move([f for f in at if moves[f] > 0], inwards, moves)
+        if move is None:
+            raise FabricationError(
+                "where more than three faces meet, material can only lie inside", at, "side inside"
+            )
+        result[v] = vertices[v] + move
+    return result
+
+
+def _common_move(
+    faces: Sequence[str], inwards: Mapping[str, Array], moves: Mapping[str, float]
+) -> Array | None:
+    """The least move of a vertex that moves all its planes outwards as wished."""
+    if not faces:
+        return np.zeros(3)
+    normals = -np.array([inwards[f] for f in faces])
+    wished = np.array([moves[f] for f in faces])
+    move: Array = np.linalg.lstsq(normals, wished, rcond=1e-6)[0]
+    return move if np.abs(normals @ move - wished).max() < 1e-6 else None
+
+
+def _walls(
+    group: Sequence[str],
+    loops: Mapping[str, Sequence[Sequence[str]]],
+    vertices: Mapping[str, Array],
+    inwards: Array,
+    thickness: float,
+) -> list[SlantedWall]:
+    """One wall for each set of touching faces of one plane."""
+    origin = vertices[loops[group[0]][0][0]]
+    up = np.array([0.0, 0.0, 1.0]) if abs(inwards[2]) < 0.9 else np.array([0.0, 1.0, 0.0])
+    y = _unit(up - inwards * (up @ inwards))
+    place = np.eye(4)
+    place[:3, :3] = np.array([np.cross(y, inwards), y, inwards]).T
+    place[:3, 3] = origin
+    polygons = {}
+    for id_ in group:
+        rings = [
+            (np.array([vertices[v] for v in loop]) - origin) @ place[:3, :2] for loop in loops[id_]
+        ]
+        polygons[id_] = Polygon(rings[0], rings[1:])
+        if not polygons[id_].is_valid:
+            raise FabricationError(
+                "the outline crosses itself", (id_,), "draw the face's edges in order"
+            )
+    union = shapely.union_all(list(polygons.values()), grid_size=FINE_MM)
+    walls = []
+    for part in shapely.get_parts(union):
+        ids = [f for f in group if part.buffer(0.01).contains(polygons[f].representative_point())]
+        polygon = tidy(part)
+        outline = [np.array(r.coords)[:-1] for r in (polygon.exterior, *polygon.interiors)]
+        walls.append(SlantedWall(tuple(ids), float(thickness), place, tuple(outline)))
+    return walls
+
+
+def _with_common_corners(walls: Sequence[SlantedWall]) -> tuple[SlantedWall, ...]:
+    """The walls with each other's corners on their edges, so that seams are whole edges."""
+    corners = np.vstack([wall.in_world(ring) for wall in walls for ring in wall.rings])
+    result = []
+    for wall in walls:
+        local = (corners - wall.world_from_wall[:3, 3]) @ wall.world_from_wall[:3, :3]
+        flat = local[np.abs(local[:, 2]) < 1e-4][:, :2]
+        rings = tuple(_split(ring, flat) for ring in wall.rings)
+        result.append(SlantedWall(wall.face_ids, wall.thickness_mm, wall.world_from_wall, rings))
+    return tuple(result)
+
+
+def _split(ring: Array, corners: Array) -> Array:
+    points: list[Array] = []
+    for a, b in pairwise([*ring, ring[0]]):
+        length = float(np.linalg.norm(b - a))
+        along = (corners - a) @ (b - a) / length
+        off = np.abs((corners - a) @ np.array([-(b - a)[1], (b - a)[0]])) / length
+        within = (off < 1e-4) & (along > 1e-3) & (along < length - 1e-3)
+        inner = along[within][np.unique(np.round(along[within], 3), return_index=True)[1]]
+        points += [a, *(a + (b - a) * s / length for s in inner)]
+    return np.array(points)

@@ -1,0 +1,64 @@
+"""From a sketch's text to its graph, solution and plates: pure functions, remembered.
+
+Nothing is kept on document objects that follows from the sketch. So undo, copies and reopened
+documents cannot disagree with it, and a change of the kerf solves nothing again. The solver is
+imported on first use: opening FreeCAD must not wait for it.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from ...solver.graph import SketchGraph
+    from ...solver.model import Model
+    from ...solver.solution import Solution
+    from ..fabrication.plates import Plate
+    from ..fabrication.settings import PlateSettings, ShellSettings
+
+#: How many results of each kind are remembered: enough for undoing and redoing a while.
+REMEMBERED = 32
+
+
+@lru_cache(maxsize=REMEMBERED)
+def graph_of(sketch_text: str) -> SketchGraph:
+    """The graph that a sketch's text says; raises SketchError."""
+    from ...solver.serialise import sketch_from_text
+
+    return sketch_from_text(sketch_text)
+
+
+@lru_cache(maxsize=REMEMBERED)
+def solution_of(sketch_text: str) -> Solution:
+    """The sketch lifted to 3D; raises SketchError where the text is no sketch."""
+    from ...solver import solve
+
+    return solve(graph_of(sketch_text))
+
+
+@lru_cache(maxsize=REMEMBERED)
+def model_of(sketch_text: str, thickness_mm: float) -> Model:
+    """The lifted faces with thickness; raises SketchError where there are none."""
+    from ...solver.model import build_model
+
+    return build_model(solution_of(sketch_text), thickness_mm)
+
+
+@lru_cache(maxsize=REMEMBERED)
+def plates_of(sketch_text: str, settings: PlateSettings) -> tuple[Plate, ...]:
+    """The plates of a sketch; raises SketchError or FabricationError."""
+    from ..fabrication import make_plates
+
+    return make_plates(model_of(sketch_text, settings.thickness_mm), settings)
+
+
+@lru_cache(maxsize=REMEMBERED)
+def shell_of(sketch_text: str, settings: ShellSettings) -> str:
+    """The hollow solid of a sketch as BREP text; raises SketchError or FabricationError."""
+    from ..fabrication import shell_solid
+    from .brep_bridge import brep_text
+
+    # The thickness of the faces is for plates: the shell has walls of one thickness.
+    model = model_of(sketch_text, settings.wall_mm)
+    return brep_text(shell_solid(model, settings))

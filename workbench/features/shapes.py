@@ -1,0 +1,72 @@
+"""FreeCAD shapes of lifted models and plates, built straight from their polygons.
+
+Everything here is flat polygons and straight extrusions, so FreeCAD's own kernel makes them
+exactly, and no shape has to cross over from another one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+import FreeCAD
+import Part
+
+if TYPE_CHECKING:
+    from ...solver.graph import SketchGraph
+    from ...solver.solution import Solution
+    from ..fabrication.plates import Plate
+
+
+def solution_shape(solution: Solution, graph: SketchGraph) -> Any:
+    """A compound of the lifted faces, and of the edges that belong to none of them.
+
+    Faces left out and things traced on the photo (construction) are not part of it.
+    """
+    faces = [face for face in solution.faces.values() if face.included]
+    parts = [_face([_points(loop, solution) for loop in face.loops]) for face in faces]
+    drawn = {
+        _pair(loop[i - 1], loop[i]) for f in faces for loop in f.loops for i in range(len(loop))
+    }
+    for id_, ends in solution.edges.items():
+        # A mirrored edge `e7@a5` is construction where `e7` is.
+        if id_.split("@")[0] not in graph.construction and _pair(*ends) not in drawn:
+            parts.append(Part.makeLine(*_points(ends, solution)))
+    return Part.makeCompound(parts)
+
+
+def plates_shape(plates: Iterable[Plate]) -> Any:
+    """A compound of plates as exact solids, each where it belongs in the assembled object."""
+    return Part.makeCompound([plate_solid(plate) for plate in plates])
+
+
+def plate_solid(plate: Plate) -> Any:
+    """One plate: its outline with holes, extruded by its thickness, put in its place."""
+    loops = [plate.outline, *plate.holes]
+    points = [[FreeCAD.Vector(float(x), float(y), 0) for x, y in loop] for loop in loops]
+    # A plate's holes are wound against its outline: nothing need be sorted out, 50 times faster.
+    face = Part.Face(_wires(points))
+    solid = face.extrude(FreeCAD.Vector(0, 0, float(plate.thickness_mm)))
+    rows = [float(value) for row in plate.world_from_plate for value in row]
+    solid.Placement = FreeCAD.Placement(FreeCAD.Matrix(*rows))
+    return solid
+
+
+def _points(ids: Iterable[str], solution: Solution) -> list[Any]:
+    return [FreeCAD.Vector(*(float(x) for x in solution.vertices_mm[v])) for v in ids]
+
+
+def _face(loops: list[list[Any]]) -> Any:
+    """A planar face; its outer loop first, then holes, wound any way."""
+    wires = _wires(loops)
+    if len(wires) == 1:
+        return Part.Face(wires)
+    return Part.makeFace(wires, "Part::FaceMakerCheese")
+
+
+def _wires(loops: list[list[Any]]) -> list[Any]:
+    return [Part.makePolygon([*loop, loop[0]]) for loop in loops]
+
+
+def _pair(v: str, w: str) -> tuple[str, str]:
+    return (v, w) if v < w else (w, v)

@@ -1,0 +1,1 @@
+"""What stands between FreeCAD's window and the canvas: tabs, their tiling, messages."""

@@ -1,0 +1,170 @@
+"""The open tabs of photo sketches, at most one for each, and their life with the document."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+
+from ..canvas.qt import QtCore, QtGui
+from ..features.photo_sketch import is_photo_sketch
+from .controller import SketchController
+
+_Key = tuple[str, str]
+_open: dict[_Key, SketchController] = {}
+
+
+def show_tab(obj: Any) -> SketchController:
+    """Open the tab of a photo sketch, or bring it to the front.
+
+    Raises
+    ------
+    SketchError
+        Where the object's text is no sketch.
+    """
+    key = _key(obj)
+    controller = _open.get(key)
+    if controller is None:
+        controller = _open[key] = SketchController(obj)
+        _add_to_window(controller)
+        _OBSERVER.start()
+    subwindow = subwindow_of(controller.tab)
+    if subwindow is not None:
+        mdi_area().setActiveSubWindow(subwindow)
+    controller.tab.view.setFocus()
+    return controller
+
+
+def open_tabs() -> tuple[SketchController, ...]:
+    """All open tabs."""
+    return tuple(_open.values())
+
+
+def mdi_area() -> QtGui.QMdiArea:
+    """The part of FreeCAD's window that holds the tabs."""
+    return FreeCADGui.getMainWindow().findChild(QtGui.QMdiArea)
+
+
+def subwindow_of(widget: QtGui.QWidget) -> QtGui.QMdiSubWindow | None:
+    """The tab's window that a widget lies in."""
+    while widget is not None and not isinstance(widget, QtGui.QMdiSubWindow):
+        widget = widget.parentWidget()
+    return widget
+
+
+def _key(obj: Any) -> _Key:
+    return (obj.Document.Name, obj.Name)
+
+
+def _add_to_window(controller: SketchController) -> None:
+    window = FreeCADGui.getMainWindow()
+    if hasattr(window, "addWindow"):
+        window.addWindow(_MdiView(controller))
+    else:
+        # FreeCAD 0.20 has no views written in Python, only Qt's own subwindows.
+        subwindow = mdi_area().addSubWindow(controller.tab)
+        subwindow.setWindowIcon(controller.tab.windowIcon())
+        subwindow.show()
+    key = _key(controller.obj)
+    controller.tab.destroyed.connect(lambda *_: _forget(key, controller))
+
+
+def _forget(key: _Key, controller: SketchController) -> None:
+    """A tab is gone; a new document of the same name may have a tab of its own by now."""
+    if _open.get(key) is controller:
+        del _open[key]
+
+
+class _MdiView:
+    """A tab as FreeCAD 1.0 and later ask for it."""
+
+    def __init__(self, controller: SketchController) -> None:
+        self._controller = controller
+        self.document = FreeCADGui.getDocument(controller.document_name)
+
+    def widget(self) -> QtGui.QWidget:
+        """The tab's content."""
+        return self._controller.tab
+
+    def onMsg(self, message: str) -> bool:  # noqa: N802  FreeCAD's names
+        """Do what a command of FreeCAD's asks the active tab to do."""
+        action = self._actions().get(message)
+        if action is None:
+            return False
+        action()
+        return True
+
+    def onHasMsg(self, message: str) -> bool:  # noqa: N802
+        """Say whether `onMsg` would do something."""
+        return message in self._actions()
+
+    def canClose(self) -> bool:  # noqa: N802
+        """Everything is in the document already."""
+        return True
+
+    def _actions(self) -> dict[str, Any]:
+        controller = self._controller
+        return {
+            "ViewFit": controller.tab.view.fit,
+            "Undo": controller.undo,
+            "Redo": controller.redo,
+        }
+
+
+class _Observer:
+    """Hears of changes in documents; FreeCAD calls these by name."""
+
+    def __init__(self) -> None:
+        self._started = False
+
+    def start(self) -> None:
+        """Begin to listen; only once a tab is there."""
+        if not self._started:
+            FreeCAD.addDocumentObserver(self)
+            self._started = True
+
+    def slotChangedObject(self, obj: Any, name: str) -> None:  # noqa: N802
+        """A property changed, by a person, a script, undo or redo."""
+        controller = _open.get(_key(obj)) if is_photo_sketch(obj) else None
+        if controller is not None:
+            controller.on_changed(name)
+
+    def slotRecomputedDocument(self, document: Any) -> None:  # noqa: N802
+        """The document was recomputed."""
+        _show_outcomes(document)
+
+    def slotUndoDocument(self, document: Any) -> None:  # noqa: N802
+        """A step was undone."""
+        _show_outcomes(document)
+
+    def slotRedoDocument(self, document: Any) -> None:  # noqa: N802
+        """A step was redone."""
+        _show_outcomes(document)
+
+    def slotDeletedObject(self, obj: Any) -> None:  # noqa: N802
+        """An object goes, and its tab with it."""
+        if is_photo_sketch(obj):
+            _close(_key(obj))
+
+    def slotDeletedDocument(self, document: Any) -> None:  # noqa: N802
+        """A document goes; on FreeCAD 0.20 our tabs would outlive it."""
+        for key in [key for key in _open if key[0] == document.Name]:
+            _close(key)
+
+
+_OBSERVER = _Observer()
+
+
+def _show_outcomes(document: Any) -> None:
+    for controller in open_tabs():
+        if controller.document_name == document.Name:
+            controller.show_outcome()
+
+
+def _close(key: _Key) -> None:
+    controller = _open.pop(key, None)
+    if controller is not None:
+        subwindow = subwindow_of(controller.tab)
+        # Not at once: FreeCAD is in the middle of taking the document apart.
+        QtCore.QTimer.singleShot(0, subwindow.close if subwindow else controller.tab.close)

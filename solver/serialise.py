@@ -103,7 +103,8 @@ def _parse(text: str) -> Any:
     if not text.strip():
         raise SketchFormatError("the file is empty", (), "save the sketch again")
     try:
-        return json.loads(text, parse_constant=_no_constant, object_pairs_hook=_no_twins)
+        # NaN and Infinity are read, so that the refusal can name the place where they stand.
+        return json.loads(text, parse_constant=float, object_pairs_hook=_no_twins)
     except json.JSONDecodeError as error:
         cut_off = error.pos >= len(text.rstrip()) or error.msg.startswith("Unterminated")
         remedy = "the whole file: this one is cut off" if cut_off else "correct the text there"
@@ -116,10 +117,6 @@ def _parse(text: str) -> Any:
         raise SketchFormatError("nested too deeply to be a sketch", (), "a sketch file") from error
     except ValueError as error:  # e.g. an integer with more digits than Python reads
         raise SketchFormatError(f"not JSON: {error}", (), "ordinary numbers") from error
-
-
-def _no_constant(name: str) -> Any:
-    raise SketchFormatError(f"{name} is not a number a sketch can hold", (), "finite numbers")
 
 
 def _no_twins(pairs: list[tuple[str, Any]]) -> dict[str, Any]:

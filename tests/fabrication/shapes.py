@@ -174,6 +174,32 @@ def magazine_file(**options) -> Model:
     )
 
 
+def polycube(seed: int, **options) -> Model:
+    """A random body of boxes: some of them missing, some faces left out, some partitions."""
+    rng = np.random.default_rng(seed)
+    count = rng.integers(1, 4, 3)
+    lines = [[0.0, *np.cumsum(rng.integers(18, 80, n)).astype(float).tolist()] for n in count]
+    solid = np.zeros(count + 2, dtype=bool)
+    solid[1:-1, 1:-1, 1:-1] = rng.random(count) < 0.75
+    solid[1, 1, 1] = True
+    loops: dict[str, list[Point]] = {}
+    left_out = []
+    for axis in range(3):
+        u, v = (axis + 1) % 3, (axis + 2) % 3
+        for place in np.ndindex(*count + np.eye(3, dtype=int)[axis]):
+            here = np.array(place) + 1
+            before = here - np.eye(3, dtype=int)[axis]
+            inner = solid[tuple(before)] and solid[tuple(here)]
+            outer = solid[tuple(before)] != solid[tuple(here)]
+            if outer or (inner and rng.random() < 0.5):
+                id_ = f"f{len(loops)}"
+                ends = [(lines[k][place[k]], lines[k][place[k] + 1]) for k in (u, v)]
+                loops[id_] = rect(axis, lines[axis][place[axis]], *ends)
+                if outer and rng.random() < 0.2:
+                    left_out.append(id_)
+    return model(loops, left_out=left_out[1:], **options)
+
+
 def slab_volume(w: float, d: float, h: float, t: float, *, lid: bool = True) -> float:
     """Walls of a box, the material inside, with or without its lid."""
     return w * d * h - (w - 2 * t) * (d - 2 * t) * (h - (2 if lid else 1) * t)

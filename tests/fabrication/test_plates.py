@@ -132,6 +132,16 @@ def test_half_laps_open_where_their_wall_ends():
     assert notch > 2 * 3 * 21 - 1e-6
 
 
+@pytest.mark.parametrize("seed", range(12))
+def test_random_bodies(seed):
+    """Shapes nobody would draw; each plate is whole, and none is in another."""
+    plates = make_plates(shapes.polycube(seed), PlateSettings(side=SIDES[seed % 3]))
+    assert max(overlaps(plates).values(), default=0.0) <= 1e-6
+    for plate in plates:
+        assert shapely.LinearRing(plate.outline).is_simple
+        assert plate.polygon.buffer(-0.05, join_style="mitre").geom_type == "Polygon"
+
+
 def test_play_widens_slots_on_both_sides():
     loose = {p.id: p for p in make_plates(shapes.bookshelf(), PlateSettings(play_mm=0.2))}
     tight = {p.id: p for p in make_plates(shapes.bookshelf())}

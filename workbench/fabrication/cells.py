@@ -17,7 +17,7 @@ yield
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from itertools import combinations, pairwise
 
@@ -25,6 +25,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from ...solver.union_find import UnionFind
 from ...solver.values import Array
 from .walls import Wall
 
@@ -53,11 +54,21 @@ class Run:
 
 @dataclass(frozen=True, slots=True)
 class Junction:
-    """One cell with several members that is part of no run; full members come first."""
+    """One cell with several members that is part of no run.
+
+    Parameters
+    ----------
+    low_mm, high_mm : (x, y, z)
+    members : tuple of int
+        Walls that can own it, best of all.
+    others : tuple of int
+        Walls that can own it if need be.
+    """
 
     low_mm: tuple[float, float, float]
     high_mm: tuple[float, float, float]
     members: tuple[int, ...]
+    others: tuple[int, ...]
 
 
 @dataclass(slots=True, eq=False)
@@ -240,14 +251,55 @@ def _stretches(kind: NDArray[np.str_]) -> list[tuple[int, int]]:
 
 def _junctions(cells: Cells, members: NDArray[np.int8], claimed: Flags) -> list[Junction]:
     shared = ((members > 0).sum(axis=0) > 1) & ~claimed
+    blocks = _blocks(cells, shared, claimed)
+    in_block: dict[int, set[int]] = {}
+    for place in np.argwhere(np.isin(blocks, np.unique(blocks[shared])) & ~claimed).tolist():
+        x, y, z = place
+        full = set(np.flatnonzero(members[:, x, y, z] == 2).tolist())
+        block = int(blocks[x, y, z])
+        in_block[block] = in_block.get(block, full) & full
     junctions = []
-    for x, y, z in np.argwhere(shared).tolist():
+    for place in np.argwhere(shared).tolist():
+        x, y, z = place
         here = members[:, x, y, z]
-        order = [*np.flatnonzero(here == 2).tolist(), *np.flatnonzero(here == 1).tolist()]
-        low = [float(line[n]) for line, n in zip(cells.lines, (x, y, z), strict=True)]
-        high = [float(line[n + 1]) for line, n in zip(cells.lines, (x, y, z), strict=True)]
-        full = tuple(w for w in order if here[w] == 2)
+        full = set(np.flatnonzero(here == 2).tolist())
+        # An owner that has the whole block leaves no void; else one that has the whole cell.
+        best = in_block[int(blocks[x, y, z])] & full or full or set(np.flatnonzero(here))
+        rest = (full or best) - best
+        low, high = (
+            [float(line[n + end]) for line, n in zip(cells.lines, place, strict=True)]
+            for end in (0, 1)
+        )
         junctions.append(
-            Junction((low[0], low[1], low[2]), (high[0], high[1], high[2]), full or tuple(order))
+            Junction(
+                (low[0], low[1], low[2]),
+                (high[0], high[1], high[2]),
+                _ordered(best),
+                _ordered(rest),
+            )
         )
     return junctions
+
+
+def _ordered(walls: Iterable[int]) -> tuple[int, ...]:
+    return tuple(sorted(int(wall) for wall in walls))
+
+
+def _blocks(cells: Cells, shared: Flags, claimed: Flags) -> NDArray[np.int_]:
+    """Numbers of blocks: cells that lie behind one another in a wall's thickness.
+
+    A plate is cut through its whole thickness, so these should have one owner.
+    """
+    numbers = np.arange(shared.size).reshape(shared.shape)
+    sets = UnionFind(shared.size)
+    for w, wall in enumerate(cells.walls):
+        turned = (wall.axis, *wall.plane_axes)
+        span = cells.spans[w]
+        ids, mixed, taken = (
+            np.moveaxis(array, turned, (0, 1, 2))[span] for array in (numbers, shared, claimed)
+        )
+        for u, v in np.argwhere(cells.full[w] & mixed.any(axis=0)).tolist():
+            column = ids[:, u, v][~taken[:, u, v]].tolist()
+            for a, b in pairwise(column):
+                sets.union(a, b)
+    return np.array(sets.labels()).reshape(shared.shape)

@@ -187,8 +187,9 @@ def _run_piece(
 
 
 def _junction_piece(junction: Junction, ranks: list[int]) -> Piece:
-    members = sorted(junction.members, key=lambda wall: ranks[wall])
-    return Piece(junction.low_mm, junction.high_mm, members[0], tuple(members[1:]))
+    owner, *rivals = sorted(junction.members, key=lambda wall: ranks[wall])
+    rivals += sorted(junction.others, key=lambda wall: ranks[wall])
+    return Piece(junction.low_mm, junction.high_mm, owner, tuple(rivals))
 
 
 def _half_lap(

@@ -10,7 +10,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -48,6 +48,10 @@ from .world import (
 
 #: Views that are carried on to the full step.
 MAX_STARTS = 9
+#: Iterations to tell promising views from others, views that are finished, iterations for those.
+TRIAL_ITERATIONS = 14
+MAX_FINISHED = 2
+MAX_ITERATIONS = 100
 #: Views whose lines fit so many times worse than the best ones are not carried on.
 HOPELESS = 100.0
 #: A log focal length less certain than this counts as not determined by the sketch.
@@ -173,30 +177,58 @@ def _indices(lifted: _Lifted) -> list[str]:
 def _best(
     graph: SketchGraph, problem: Problem, prior: FocalPrior | None, stop: Stop | None
 ) -> _Lifted | None:
-    """The reading seen from above that fits the drawing best."""
-    found = []
+    """The reading seen from above that fits the drawing best.
+
+    All views are carried on for a few iterations, the most promising ones to the end.
+    """
     full = FullProblem(problem, prior)
+
+    def carry_on(pose: Pose, max_iterations: int) -> _Lifted:
+        minimum = minimise(full, pose, max_iterations=max_iterations, stop=stop)
+        above = camera_above_ground(graph, problem, minimum.x)
+        return _Lifted(problem, full, minimum, above)
+
+    tried: list[_Lifted] = []
+    for pose in _initial_poses(problem):
+        tried.append(carry_on(pose, TRIAL_ITERATIONS))
+        if _is_exact(tried[-1]):
+            break
+    finished = [
+        t if t.minimum.converged else carry_on(t.minimum.x, MAX_ITERATIONS)
+        for t in _promising(graph, tried)
+    ]
+    return _preferred(graph, finished)[0] if finished else None
+
+
+def _initial_poses(problem: Problem) -> Iterator[Pose]:
     views = starts(problem)[:MAX_STARTS]
     least = min((view.misfit for view in views), default=0.0)
-    for start in views:
-        if start.misfit > HOPELESS * least + 1e-20 or (found and _is_exact(found[-1])):
-            continue
-        pose = _initial_pose(problem, start)
-        if pose is None:
-            continue
-        minimum = minimise(full, pose, stop=stop)
-        if not np.isfinite(minimum.cost):
-            continue
-        above = camera_above_ground(graph, problem, minimum.x)
-        found.append(_Lifted(problem, full, minimum, above))
-    if not found:
-        return None
-    if ground_indices(graph):
-        return min(found, key=lambda c: (not c.above, c.minimum.cost))
-    # Without a ground only a close call is decided by how people take photos.
-    least = min(c.minimum.cost for c in found)
-    close = [c for c in found if c.minimum.cost <= CLOSE_CALL * least + 1e-20]
-    return min(close, key=lambda c: (not c.above, c.minimum.cost))
+    for view in views:
+        pose = _initial_pose(problem, view) if view.misfit <= HOPELESS * least + 1e-20 else None
+        if pose is not None:
+            yield pose
+
+
+def _promising(graph: SketchGraph, tried: list[_Lifted]) -> list[_Lifted]:
+    """The best few, each minimum once."""
+    kept: list[_Lifted] = []
+    for t in _preferred(graph, [t for t in tried if np.isfinite(t.minimum.cost)]):
+        cost = t.minimum.cost
+        if not any(abs(k.minimum.cost - cost) <= 1e-4 * cost for k in kept):
+            kept.append(t)
+    return kept[:MAX_FINISHED]
+
+
+def _preferred(graph: SketchGraph, found: list[_Lifted]) -> list[_Lifted]:
+    """Best first: with a ground, what is seen from above; else a close call only goes by that."""
+    least = min((c.minimum.cost for c in found), default=0.0)
+    has_ground = bool(ground_indices(graph))
+
+    def badness(c: _Lifted) -> tuple[bool, bool, float]:
+        far_off = not has_ground and c.minimum.cost > CLOSE_CALL * least + 1e-20
+        return (far_off, not c.above, c.minimum.cost)
+
+    return sorted(found, key=badness)
 
 
 def _is_exact(lifted: _Lifted) -> bool:

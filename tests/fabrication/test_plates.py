@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import scenes
 import shapely
 from fabrication import shapes
 from fabrication.bodies import body, overlaps, union
@@ -140,6 +141,16 @@ def test_random_bodies(seed):
     for plate in plates:
         assert shapely.LinearRing(plate.outline).is_simple
         assert plate.polygon.buffer(-0.05, join_style="mitre").geom_type == "Polygon"
+
+
+@pytest.mark.parametrize("make", [scenes.staircase, scenes.organizer, scenes.table])
+def test_scenes_of_the_solver(make):
+    """Steps, compartments, and a table of boxes that touch one another."""
+    truth = make()
+    loops = {f"f{n}": [tuple(truth.X[i]) for i in loop] for n, loop in enumerate(truth.loops)}
+    plates = make_plates(shapes.model(loops))
+    assert max(overlaps(plates).values()) <= 1e-6
+    assert all(plate.polygon.buffer(-0.05).geom_type == "Polygon" for plate in plates)
 
 
 def test_play_widens_slots_on_both_sides():

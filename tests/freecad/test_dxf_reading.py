@@ -1,0 +1,66 @@
+"""FreeCAD's own importer reads from the DXF what the plates are."""
+
+from __future__ import annotations
+
+import json
+from itertools import pairwise
+from math import dist
+
+import ezdxf
+import FreeCAD
+import Import
+import pytest
+
+from incontext.workbench.features.exports import export_plates
+
+CUT = ("CUT_OUTER", "CUT_INNER")
+
+
+@pytest.fixture
+def imported(tmp_path):
+    """Reads a DXF into a document of its own and returns the shapes."""
+    document = FreeCAD.newDocument("Imported")
+
+    def read(path):
+        Import.readDXF(str(path), document.Name)
+        document.recompute()
+        return [o.Shape for o in document.Objects if hasattr(o, "Shape")]
+
+    yield read
+    FreeCAD.closeDocument(document.Name)
+
+
+def perimeter(ring) -> float:
+    return sum(dist(a, b) for a, b in pairwise([*ring, ring[0]]))
+
+
+def test_the_cut_length_is_the_plates_perimeter(shelf, imported, tmp_path):
+    export_plates(shelf[2], tmp_path, "shelf")
+    plates = json.loads((tmp_path / "shelf.plates.json").read_text())["plates"]
+    wanted = sum(perimeter(ring) for p in plates for ring in (p["outline"], *p["holes"]))
+    drawing = ezdxf.readfile(tmp_path / "shelf.dxf")
+    others = [e for e in drawing.modelspace() if e.dxf.layer not in CUT]
+    for entity in others:
+        drawing.modelspace().delete_entity(entity)
+    drawing.saveas(tmp_path / "cuts.dxf")
+    shapes = imported(tmp_path / "cuts.dxf")
+    assert sum(shape.Length for shape in shapes) == pytest.approx(wanted, rel=1e-6)
+    # Every end of a segment is the end of exactly one other: the paths are closed.
+    ends: dict[tuple[float, float], int] = {}
+    for shape in shapes:
+        for vertex in (v for edge in shape.Edges for v in edge.Vertexes):
+            key = (round(vertex.X, 4), round(vertex.Y, 4))
+            ends[key] = ends.get(key, 0) + 1
+    assert set(ends.values()) == {2}
+
+
+def test_everything_in_the_file_is_read(shelf, imported, tmp_path):
+    export_plates(shelf[2], tmp_path, "shelf")
+    drawing = ezdxf.readfile(tmp_path / "shelf.dxf")
+    wanted = 0.0
+    for entity in drawing.modelspace():
+        points = [(x, y) for x, y in entity.get_points("xy")]
+        closing = points[:1] if entity.closed else []
+        wanted += sum(dist(a, b) for a, b in pairwise([*points, *closing]))
+    total = sum(shape.Length for shape in imported(tmp_path / "shelf.dxf"))
+    assert total == pytest.approx(wanted, rel=1e-6)

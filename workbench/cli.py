@@ -175,11 +175,17 @@ def _solution_text(solution: Solution) -> bytes:
 
 
 def _check(arguments: argparse.Namespace) -> int:
-    from ..solver import findings
+    from ..solver import findings, solve
+    from ..solver.solution import Status
     from .photos import photo_problem
 
     graph = _load(arguments.sketch)
     found = [(str(f.severity), f.text) for f in findings(graph)]
+    if not any(severity == "error" for severity, _ in found):
+        # What only a solve shows: lengths that disagree, freedoms that are left.
+        solution = solve(graph)
+        if solution.status is not Status.CONVERGED:
+            found.insert(0, ("error", solution.message))
     problem = photo_problem(graph, arguments.sketch)
     if problem:
         found.append(("warning", problem))

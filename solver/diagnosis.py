@@ -56,7 +56,7 @@ def freedoms(full: FullProblem, x: Pose, names: list[str]) -> Freedoms:
     at = full.evaluate(x)
     # Constraints weigh as much as the drawing: only whether they act matters here. The gauge is
     # left free, so that the overall size is one of the directions found.
-    stacked = np.vstack([at.J, at.H, full.turns_without_change(x)])
+    stacked = np.vstack([at.J, at.H, full.idle_directions(x)])
     scale = np.maximum(np.linalg.norm(stacked, axis=0), 1e-12)
     null = _null_space(stacked / scale) / scale
     count = max(0, len(null) - 1)

@@ -63,6 +63,7 @@ class FullProblem:
         self.coordinate = problem.structure.coordinate
         self.m = problem.structure.n_coordinates
         self.n_vertices = len(problem.points)
+        self.up = problem.up_in_cam
 
     def evaluate(self, x: Pose) -> Evaluation:
         """Residuals and Jacobians over (omega, phi, g)."""
@@ -71,7 +72,7 @@ class FullProblem:
         size = float(np.linalg.norm(x.g)) or 1.0
         gauge = np.zeros(4 + self.m)
         gauge[4:] = x.g / size
-        turns = self.turns_without_change(x)
+        turns = self.idle_directions(x)
         return Evaluation(r, J, h, H, np.outer(gauge, gauge) + turns.T @ turns)
 
     def merit(self, x: Pose, rho: float) -> float:
@@ -88,6 +89,7 @@ class FullProblem:
         """Turn the camera, scale the focal length, move the coordinates."""
         if float(np.abs(step[:3]).max()) > 1.0:
             return None
+        turn = step[:3] if self.up is None else (step[:3] @ self.up) * self.up
         old, (low, high) = np.exp(-x.log_focal), np.exp(np.negative(LOG_FOCAL_RANGE[::-1]))
         kappa = float(np.clip(old + np.clip(step[3], -0.4 * old, old), low, high))
         dolly = (old / kappa - 1) * self._middle_depth(x)
@@ -97,7 +99,7 @@ class FullProblem:
             return None
         # The overall size is free; keeping it stops drift.
         g = g * (float(np.linalg.norm(x.g)) / size)
-        moved = Pose(Rotation.from_rotvec(step[:3]).as_matrix() @ x.R, -float(np.log(kappa)), g)
+        moved = Pose(Rotation.from_rotvec(turn).as_matrix() @ x.R, -float(np.log(kappa)), g)
         if len(self.problem.circles) and not self._circles_visible(moved):
             return None
         depth = moved.g[self.coordinate] @ moved.R[2]
@@ -108,21 +110,23 @@ class FullProblem:
     def _circles_visible(self, x: Pose) -> bool:
         return self._supports(x).visible and bool((x.g[self.problem.structure.radius] > 0).all())
 
-    def turns_without_change(self, x: Pose) -> Array:
-        """Turns of the frame that change nothing, (t, 4 + m) rows of unknowns.
+    def idle_directions(self, x: Pose) -> Array:
+        """Directions that change nothing or are not free, (t, 4 + m) rows of unknowns.
 
-        Without object axes the frame is free: about the vertical where circles show it, else
-        wholly.
+        Without object axes the frame is idle: about the vertical where circles show it, else
+        wholly. A known camera turns about the upward direction only, and keeps its focal length.
         """
         structure = self.problem.structure
-        if structure.has_axes:
-            return np.zeros((0, 4 + self.m))
-        rows = np.zeros((3, 4 + self.m))
-        rows[:, :3] = np.eye(3)
-        if structure.vertical is None:
-            return rows
-        rows[0, :3] = x.R[:, structure.vertical]
-        return rows[:1]
+        turns = np.zeros((0, 3))
+        if not structure.has_axes:
+            vertical = structure.vertical
+            turns = np.eye(3) if vertical is None else x.R[:, vertical][None]
+        if self.up is not None:
+            turns = np.vstack([turns, np.eye(3) - np.outer(self.up, self.up)])
+        rows = np.zeros((len(turns) + 1, 4 + self.m))
+        rows[:-1, :3] = turns
+        rows[-1, 3] = float(self.problem.camera is not None)
+        return rows
 
     def positions(self, x: Pose) -> Array:
         """Vertices, then circles' centres, in object axes, (n + k, 3)."""
@@ -181,6 +185,10 @@ class FullProblem:
         if len(self.problem.circles):
             J = np.vstack([J, self._circle_jacobian(x)])
         r = self._residual(x)
+        if self.up is not None:
+            J[:, :3] = np.outer(J[:, :3] @ self.up, self.up)
+        if self.problem.camera is not None:
+            J[:, 3] = 0.0
         if self._focal_at_limit(x, float(J[:, 3] @ r)):
             J[:, 3] = 0.0
         return r, J

@@ -15,7 +15,7 @@ Necker twin
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -48,7 +48,31 @@ class Start:
 
 
 def starts(problem: Problem) -> list[Start]:
-    """Cameras that agree with the drawn directions, best first, Necker twins included."""
+    """Cameras that agree with the drawn directions, best first, Necker twins included.
+
+    Where the camera is known, they agree with its upward direction as well.
+    """
+    found = _starts(problem)
+    up, vertical = problem.up_in_cam, problem.structure.vertical
+    if up is None or vertical is None:
+        return found
+    return _distinct([replace(s, R=_upright(s.R, vertical, up)) for s in found])
+
+
+def _upright(R: Array, vertical: int, up: Array) -> Array:
+    """The nearest rotation whose vertical axis points up."""
+    if R[:, vertical] @ up < 0:
+        # Two axes turn round together: their signs are free.
+        signs = np.ones(3)
+        signs[[vertical, (vertical + 1) % 3]] = -1.0
+        R = R * signs
+    axis = np.cross(R[:, vertical], up)
+    sine = float(np.linalg.norm(axis))
+    angle = np.arctan2(sine, R[:, vertical] @ up)
+    return np.asarray(Rotation.from_rotvec(axis * (angle / max(sine, 1e-300))).as_matrix() @ R)
+
+
+def _starts(problem: Problem) -> list[Start]:
     axis = problem.structure.edge_axis
     along = axis >= 0
     fixed = problem.log_focal_prior

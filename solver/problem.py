@@ -26,6 +26,7 @@ from .annotations import (
     RightAngle,
     SymmetryPlane,
 )
+from .camera import Camera
 from .circles import DrawnCircles, drawn_circles
 from .energies import ENERGIES, Linearised
 from .graph import SketchGraph
@@ -84,6 +85,8 @@ class Problem:
     px_per_unit : float
     log_focal_prior : float or None
         Logarithm of a known focal length in image units.
+    camera : Camera or None
+        The camera where it is known beforehand ([Lau10] 4.3, first method).
     """
 
     points: Array
@@ -94,6 +97,14 @@ class Problem:
     blocks: tuple[Block, ...]
     px_per_unit: float
     log_focal_prior: float | None
+    camera: Camera | None = None
+
+    @property
+    def up_in_cam(self) -> Array | None:
+        """The known upward direction in the camera frame, where there is a vertical to meet it."""
+        if self.camera is None or self.structure.vertical is None:
+            return None
+        return np.asarray(self.camera.rotation_cam_from_world[:, 2])
 
 
 def build_problem(graph: SketchGraph, structure: Structure) -> Problem:
@@ -115,6 +126,7 @@ def build_problem(graph: SketchGraph, structure: Structure) -> Problem:
         blocks=leftover_constraints(graph, structure),
         px_per_unit=unit,
         log_focal_prior=None if focal is None else float(np.log(focal / unit)),
+        camera=graph.camera,
     )
 
 

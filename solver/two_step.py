@@ -157,9 +157,10 @@ def _lift(graph: SketchGraph, structure: Structure, stop: Stop | None) -> _Lifte
     """Both steps; where the drawing does not tell the focal length, a usual one is assumed."""
     problem = build_problem(graph, structure)
     known = problem.log_focal_prior
-    prior = None if known is None else FocalPrior(known, EXIF_LOG_SIGMA)
+    is_prior = known is not None and problem.camera is None
+    prior = FocalPrior(known, EXIF_LOG_SIGMA) if known is not None and is_prior else None
     best = _best(graph, problem, prior, stop)
-    if prior is None and (best is None or _focal_sigma(best) > UNSURE_FOCAL_SIGMA):
+    if known is None and (best is None or _focal_sigma(best) > UNSURE_FOCAL_SIGMA):
         usual = replace(problem, log_focal_prior=USUAL_LOG_FOCAL)
         assumed = _best(graph, usual, FocalPrior(USUAL_LOG_FOCAL, USUAL_FOCAL_SIGMA), stop)
         best = assumed or best
@@ -326,6 +327,8 @@ def _with_copies(graph: SketchGraph, vertices: dict[str, Array]) -> tuple[Geomet
 
 
 def _camera(graph: SketchGraph, problem: Problem, pose: Pose, placement: Placement) -> Camera:
+    if placement.camera_kept and graph.camera is not None:
+        return graph.camera
     rotation = pose.R @ placement.rotation_world_from_object.T
     return Camera(
         focal_px=float(np.exp(pose.log_focal)) * problem.px_per_unit,

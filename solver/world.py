@@ -37,6 +37,7 @@ class Placement:
     scale: float
     translation_mm: Array
     scale_assumed: bool
+    camera_kept: bool = False
 
     def to_world(self, c: Array) -> Array:
         """World positions (n, 3), mm."""
@@ -61,6 +62,8 @@ def up_direction(graph: SketchGraph, problem: Problem, pose: Pose) -> Array:
     c = pose.g[problem.structure.coordinate]
     ground = ground_indices(graph)
     vertical = problem.structure.vertical
+    if problem.up_in_cam is not None and vertical is not None:
+        return np.asarray(np.eye(3)[vertical] * np.sign(pose.R[:, vertical] @ problem.up_in_cam))
     if vertical is None and len(ground) < 3:
         return _most_upright(problem, pose)
     if vertical is not None:
@@ -132,6 +135,8 @@ def place(
     lifted : Lifted
         The whole shape.
     """
+    if problem.up_in_cam is not None and ground_indices(core):
+        return _place_under_camera(graph, core, problem, pose, lifted)
     W = _axes(problem, pose, up_direction(core, problem, pose))
     scale, assumed = _scale(graph, lifted)
     points = np.array([*lifted.vertices.values(), *lifted.centres.values()]).reshape(-1, 3)
@@ -146,6 +151,25 @@ def place(
         first = next(iter(graph.revolutions.values()))
         lowest[:2] = scale * (W @ lifted.centres[first.ground])[:2]
     return Placement(W, scale, -lowest, assumed)
+
+
+def _place_under_camera(
+    graph: SketchGraph, core: SketchGraph, problem: Problem, pose: Pose, lifted: Lifted
+) -> Placement:
+    """The world is the known camera's; its height over the ground tells the size.
+
+    Given lengths come first; then the camera keeps its pose but for its distance.
+    """
+    assert problem.camera is not None
+    W = problem.camera.rotation_cam_from_world.T @ pose.R
+    below = -float((pose.g[problem.structure.coordinate][ground_indices(core)] @ W[2]).mean())
+    eye = problem.camera.position_mm
+    scale, assumed = _scale(graph, lifted)
+    kept = assumed and below > 0 and float(eye[2]) > 0
+    if kept:
+        scale = float(eye[2]) / below
+        return Placement(W, scale, eye, False, True)
+    return Placement(W, scale, np.array([eye[0], eye[1], scale * below]), assumed)
 
 
 def _axes(problem: Problem, pose: Pose, up: Array) -> Array:

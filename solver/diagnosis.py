@@ -93,7 +93,8 @@ def _focal_sigma(full: FullProblem, x: Pose) -> float:
     A = at.J.T @ at.J + at.G + 1e8 * at.H.T @ at.H
     unit = np.zeros(len(A))
     unit[3] = 1.0
-    spare = max(1, len(at.r) - (len(A) - np.linalg.matrix_rank(at.H)) + 1)
+    held = int(np.linalg.matrix_rank(at.H)) if at.H.size else 0
+    spare = max(1, len(at.r) - (len(A) - held) + 1)
     noise = max(float(at.r @ at.r) / spare, 1e-14)
     values, vectors = np.linalg.eigh(A)
     share = vectors.T @ unit

@@ -83,6 +83,8 @@ class FullProblem:
             for block in self.problem.blocks:
                 h = block.evaluate(x.g[self.coordinate]).residual
                 total += rho * float(h @ h)
+            h, _ = self.problem.diameters.evaluate(x.g, self.coordinate)
+            total += rho * float(h @ h)
         return total
 
     def retract(self, x: Pose, step: Array) -> Pose | None:
@@ -243,11 +245,15 @@ class FullProblem:
                 np.add.at(H, (at.row, columns), at.value[:, k])
             residuals.append(at.residual)
             jacobians.append(H)
+        if len(self.problem.diameters):
+            h, by_g = self.problem.diameters.evaluate(x.g, self.coordinate)
+            residuals.append(h)
+            jacobians.append(np.hstack([np.zeros((len(h), 4)), by_g]))
         return np.concatenate(residuals), np.vstack(jacobians)
 
     def restore(self, x: Pose) -> Pose:
         """Move the coordinates onto h = 0: dg = -H^T (H H^T)^+ h."""
-        if not self.problem.blocks:
+        if not self.problem.blocks and not len(self.problem.diameters):
             return x
         h, H = self._constraints(x)
         worst = float(np.abs(h).max(initial=0.0))

@@ -30,6 +30,7 @@ from .camera import Camera
 from .circles import DrawnCircles, drawn_circles
 from .energies import ENERGIES, Linearised
 from .graph import SketchGraph
+from .sizes import Diameters, proportional_diameters
 from .structure import IntArray, Structure
 from .values import Array
 
@@ -82,6 +83,7 @@ class Problem:
         Vertex indices of each edge.
     structure : Structure
     blocks : tuple of Block
+    diameters : Diameters
     px_per_unit : float
     log_focal_prior : float or None
         Logarithm of a known focal length in image units.
@@ -95,6 +97,7 @@ class Problem:
     ends: IntArray
     structure: Structure
     blocks: tuple[Block, ...]
+    diameters: Diameters
     px_per_unit: float
     log_focal_prior: float | None
     camera: Camera | None = None
@@ -124,6 +127,7 @@ def build_problem(graph: SketchGraph, structure: Structure) -> Problem:
         ends=ends.reshape(-1, 2),
         structure=structure,
         blocks=leftover_constraints(graph, structure),
+        diameters=proportional_diameters(graph, structure),
         px_per_unit=unit,
         log_focal_prior=None if focal is None else float(np.log(focal / unit)),
         camera=graph.camera,

@@ -7,12 +7,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from asserts import assert_solved
-from scenes import LID, image_ellipse, photograph_turned
+from scenes import LID, box, image_ellipse, photograph, photograph_turned
 from scipy.spatial.transform import Rotation
 
 from incontext.solver import solve
+from incontext.solver.annotations import Diameter
 from incontext.solver.energies.circle import circle_support, ellipse_support
+from incontext.solver.sizes import proportional_diameters
 from incontext.solver.solution import Status
+from incontext.solver.structure import build_structure
 
 
 def ratios(solution):
@@ -107,3 +110,47 @@ def test_derivatives_of_the_support_equal_central_differences():
     np.testing.assert_allclose(at.by_radius, by_radius, atol=1e-8)
     by_focal = (supports(C, r, zero, f + step)[0].h - supports(C, r, zero, f - step)[0].h) / 2e-6
     np.testing.assert_allclose(at.by_log_focal, by_focal, atol=1e-8)
+
+
+def test_several_diameters_hold_together():
+    graph, _ = photograph_turned(LID, np.random.default_rng(5), noise=0.003)
+    said = {"wide": Diameter("c0", 140.0), "low": Diameter("c1", 88.0), "top": Diameter("c2", 25.0)}
+    solution = solve(replace(graph, annotations=said))
+    assert_solved(solution)
+    for annotation in said.values():
+        radius = solution.circles[annotation.circle].radius_mm
+        assert 2 * radius == pytest.approx(annotation.diameter_mm, abs=1e-6)
+
+
+def test_a_length_and_a_diameter_hold_together():
+    photo = photograph(box(200, 150, 120), np.random.default_rng(6))
+    ring = image_ellipse(photo.camera, np.array([100.0, 75.0, 120.0]), 40.0)
+    said = {**photo.shape.annotations, "ring": Diameter("c", 84.0)}
+    graph = replace(photo.graph, circles={"c": ring}, annotations=said)
+    solution = solve(graph)
+    assert_solved(solution)
+    assert 2 * solution.circles["c"].radius_mm == pytest.approx(84.0, abs=1e-6)
+    assert solution.report.residuals["length"].value < 1e-6
+
+
+def test_diameters_that_disagree_are_named():
+    graph, _ = photograph_turned(LID, np.random.default_rng(5))
+    said = {"one": Diameter("c0", 140.0), "two": Diameter("c0", 150.0)}
+    solution = solve(replace(graph, annotations=said))
+    assert solution.status is Status.CONFLICTING
+    assert set(solution.report.conflicts) == {"one", "two"}
+
+
+def test_derivatives_of_proportional_diameters_equal_central_differences():
+    photo = photograph(box(), np.random.default_rng(6))
+    ring = image_ellipse(photo.camera, np.array([100.0, 75.0, 120.0]), 40.0)
+    said = {**photo.shape.annotations, "ring": Diameter("c", 84.0)}
+    graph = replace(photo.graph, circles={"c": ring}, annotations=said)
+    structure = build_structure(graph)
+    diameters = proportional_diameters(graph, structure)
+    g = np.random.default_rng(0).uniform(1, 2, structure.n_coordinates)
+    _, H = diameters.evaluate(g, structure.coordinate)
+    for i, d in enumerate(1e-6 * np.eye(len(g))):
+        ahead, _ = diameters.evaluate(g + d, structure.coordinate)
+        behind, _ = diameters.evaluate(g - d, structure.coordinate)
+        np.testing.assert_allclose(H[:, i], (ahead - behind) / 2e-6, atol=1e-8)

@@ -58,7 +58,7 @@ def from_loops(name: str, X: Iterable[Iterable[float]], loops: Iterable[Iterable
                 if (b, pair) not in corners:
                     corners.add((b, pair))
                     annotations[f"ra{len(corners)}"] = RightAngle(v(b), pair)
-    ground = tuple(v(i) for i in np.flatnonzero(np.abs(points[:, 2]) < 1e-9))
+    ground = tuple(v(int(i)) for i in np.flatnonzero(np.abs(points[:, 2]) < 1e-9))
     annotations["ground"] = Ground(ground)
     (a, b), first = next(iter(edges.items()))
     annotations["length"] = Length(first, float(np.linalg.norm(points[a] - points[b])))
@@ -182,9 +182,12 @@ def table() -> Shape:
     faces = {f"f{k}": Face(tuple(map(v, loop))) for k, loop in enumerate(shape.loops)}
     for p in range(1, 5):
         more[f"touch{p}"] = OnFace(v(8 * p + 4), "f0")
-    # The drawer's front lies in the slab's front, the lower slab's corner touches a leg's sides.
+    # The drawer's front lies in the slab's front, two corners of the lower slab
+    # touch the sides of legs.
     more["drawer"] = OnFace(v(48), "f2")
-    more["side"] = OnFace(v(40), "f9")
+    more["drawer2"] = OnFace(v(51), "f2")
+    corners = ((40, "f9"), (40, "f10"), (42, "f26"), (42, "f29"))
+    more |= {f"side{k}": OnFace(v(i), f) for k, (i, f) in enumerate(corners)}
     return replace(shape, annotations={**shape.annotations, **more}, faces=faces)
 
 

@@ -16,6 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .energies.circle import ellipse_support
+from .geometry import cross
 from .graph import SketchGraph
 from .values import Array
 
@@ -98,5 +99,5 @@ def tilted_views(circles: DrawnCircles) -> list[Array]:
         up = np.array([*(np.cos(e) * towards_top), -np.sin(e)])
         x = np.array([1.0, 0.0, 0.0]) - up[0] * up
         x /= np.linalg.norm(x)
-        views.append(np.column_stack([x, np.cross(up, x), up]))
+        views.append(np.column_stack([x, cross(up, x), up]))
     return views

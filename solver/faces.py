@@ -16,6 +16,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from .errors import SketchError
+from .geometry import cross
 from .graph import Face
 from .values import Array
 
@@ -83,7 +84,7 @@ def _planes(X: Array, ends: list[tuple[int, int]]) -> list[tuple[Array, tuple[in
                 if (i, min(others[a], others[b]), max(others[a], others[b])) in tested:
                     continue
                 u, v = X[others[a]] - X[i], X[others[b]] - X[i]
-                normal = np.cross(u, v)
+                normal = cross(u, v)
                 length = float(np.linalg.norm(normal))
                 if length <= 1e-9 * float(np.linalg.norm(u) * np.linalg.norm(v)):
                     continue
@@ -110,9 +111,9 @@ def _mark_tested(
 def _flatten(X: Array, normal: Array) -> Array:
     """Positions in the plane's own frame, (n, 2), right-handed round the normal."""
     helper = np.eye(3)[int(np.argmin(np.abs(normal)))]
-    u = np.cross(helper, normal)
+    u = cross(helper, normal)
     u /= np.linalg.norm(u)
-    return np.asarray(np.column_stack([X @ u, X @ np.cross(normal, u)]))
+    return np.asarray(np.column_stack([X @ u, X @ cross(normal, u)]))
 
 
 def _loops(P: Array, edges: list[tuple[int, int]]) -> list[tuple[int, ...]]:

@@ -17,6 +17,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from .energies.circle import Support, circle_support
+from .geometry import cross
 from .initial import LOG_FOCAL_RANGE
 from .least_squares import Evaluation
 from .problem import Problem
@@ -172,7 +173,7 @@ class FullProblem:
         D *= self.problem.weights[:, None, None]
         J = np.zeros((2 * n, 4 + self.m))
         # d x_cam / d omega = -[x_cam]x, so that a row d becomes x_cam x d.
-        J[:, :3] = np.cross(in_cam[:, None, :], D).reshape(-1, 3)
+        J[:, :3] = cross(in_cam[:, None, :], D).reshape(-1, 3)
         # d f / d kappa = -f^2, and the middle depth goes with f.
         in_place = -f * projected * self.problem.weights[:, None]
         J[:, 3] = (in_place - f * self._middle_depth(x) * D[:, :, 2]).reshape(-1)
@@ -202,7 +203,7 @@ class FullProblem:
         normal = x.R[:, 2 if structure.vertical is None else structure.vertical]
         by_centre, by_normal = support.by_centre, support.by_normal
         J = np.zeros((support.h.size, 4 + self.m))
-        turn = np.cross(centres[:, None, :], by_centre) + np.cross(normal, by_normal)
+        turn = cross(centres[:, None, :], by_centre) + cross(normal, by_normal)
         J[:, :3] = turn.reshape(-1, 3)
         f = np.exp(x.log_focal)
         dolly = self._middle_depth(x) * by_centre[:, :, 2]

@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from .circles import tilted_views
+from .geometry import cross
 from .problem import Problem
 from .structure import IntArray
 from .values import Array
@@ -66,7 +67,7 @@ def _upright(R: Array, vertical: int, up: Array) -> Array:
         signs = np.ones(3)
         signs[[vertical, (vertical + 1) % 3]] = -1.0
         R = R * signs
-    axis = np.cross(R[:, vertical], up)
+    axis = cross(R[:, vertical], up)
     sine = float(np.linalg.norm(axis))
     angle = np.arctan2(sine, R[:, vertical] @ up)
     return np.asarray(Rotation.from_rotvec(axis * (angle / max(sine, 1e-300))).as_matrix() @ R)
@@ -136,7 +137,7 @@ def _lines(problem: Problem, chosen: NDArray[np.bool_]) -> tuple[Array, Array]:
     """Homogeneous lines (k, 3) and drawn lengths as weights (k,)."""
     p, q = problem.points[problem.ends[chosen, 0]], problem.points[problem.ends[chosen, 1]]
     ones = np.ones((len(p), 1))
-    lines = np.cross(np.hstack([p, ones]), np.hstack([q, ones]))
+    lines = cross(np.hstack([p, ones]), np.hstack([q, ones]))
     return lines, np.linalg.norm(q - p, axis=1)
 
 
@@ -169,7 +170,7 @@ class _Lines:
         D = np.swapaxes(R[:, :, self.axes], 1, 2)
         r = self.weights * np.einsum("kmi,kmi->km", N, D)
         by_focal = np.einsum("kmi,kmi->km", dN, D)[..., None]
-        J = np.concatenate([np.cross(D, N), by_focal], axis=2)
+        J = np.concatenate([cross(D, N), by_focal], axis=2)
         return r, J * self.weights[:, None]
 
 
@@ -177,7 +178,7 @@ def _refine(drawn: _Lines, R: Array, log_focals: Array, focal_known: bool) -> li
     """Levenberg-Marquardt on r_e = w_e N_e . D_e for all cameras at once."""
     damping = np.full(len(R), 1e-3)
     cost = (drawn.residuals(R, log_focals) ** 2).sum(axis=1)
-    for _ in range(25):
+    for iteration in range(25):
         r, J = drawn.linearised(R, log_focals)
         if focal_known:
             J[..., 3] = 0.0
@@ -191,12 +192,14 @@ def _refine(drawn: _Lines, R: Array, log_focals: Array, focal_known: bool) -> li
         new_cost = (drawn.residuals(new_R, new_log) ** 2).sum(axis=1)
         better = new_cost <= cost
         settled = ~better | (cost - new_cost <= 1e-10 * cost + 1e-30)
-        done = bool((settled & (better | (damping > 1.0))).all())
+        settled &= better | (damping > 1.0)
         R = np.where(better[:, None, None], new_R, R)
         log_focals = np.where(better, new_log, log_focals)
         cost = np.where(better, new_cost, cost)
         damping = np.where(better, np.maximum(damping / 10, 1e-12), damping * 10)
-        if done:
+        # The full step goes on from here: enough when the best view stands still.
+        best = int(np.argmin(cost))
+        if bool(settled.all()) or (iteration >= 5 and bool(settled[best])):
             break
     return [Start(*found) for found in zip(R, log_focals.tolist(), cost.tolist(), strict=True)]
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 
 import numpy as np
@@ -101,5 +102,8 @@ class _Measure:
 
 
 def _angle_deg(u: Array, v: Array) -> float:
-    # atan2 keeps its accuracy near 0 and 90 degrees, where arccos loses half the digits.
-    return float(np.degrees(np.arctan2(np.linalg.norm(np.cross(u, v)), u @ v)))
+    # Plain numbers: a sketch has many angles, each too small for arrays. atan2 keeps its accuracy
+    # near 0 and 90 degrees, where acos loses half the digits.
+    (a, b, c), (d, e, f) = u.tolist(), v.tolist()
+    sine = math.hypot(b * f - c * e, c * d - a * f, a * e - b * d)
+    return math.degrees(math.atan2(sine, a * d + b * e + c * f))

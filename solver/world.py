@@ -18,6 +18,7 @@ import numpy as np
 
 from .annotations import Diameter, Ground, Length
 from .full import Pose
+from .geometry import cross
 from .graph import SketchGraph
 from .problem import Problem
 from .structure import ground_circles
@@ -183,7 +184,7 @@ def _axes(problem: Problem, pose: Pose, up: Array) -> Array:
         x = right
     x = x - (x @ up) * up
     x = x / np.linalg.norm(x)
-    y = np.cross(up, x)
+    y = cross(up, x)
     return np.array([x, y, up])
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..geometry import cross
 from ..values import Array
 from .base import TINY, IntArray, Linearised, gather, unit_vectors
 
@@ -32,7 +33,7 @@ def parallel(X: Array, pairs: IntArray) -> Linearised:
     a, b, c, d = (np.repeat(i, 3) for i in (a, b, c, d))
     du, dv = du.reshape(-1, 3), dv.reshape(-1, 3)
     terms = [(rows, b, du), (rows, a, -du), (rows, d, dv), (rows, c, -dv)]
-    return gather(np.cross(u, v).reshape(-1), terms)
+    return gather(cross(u, v).reshape(-1), terms)
 
 
 def _cross_matrices(u: Array) -> Array:

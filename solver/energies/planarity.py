@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..geometry import cross
 from ..values import Array
 from .base import TINY, IntArray, Linearised, gather, perpendicular_part, unit_vectors
 
@@ -21,12 +22,12 @@ def planarity(X: Array, quads: IntArray) -> Linearised:
     """
     o, *others = quads.T
     units, lengths = zip(*(unit_vectors(X[i] - X[o]) for i in others), strict=True)
-    r = np.einsum("ij,ij->i", units[0], np.cross(units[1], units[2]))
+    r = np.einsum("ij,ij->i", units[0], cross(units[1], units[2]))
     rows = np.arange(len(quads))
     terms = []
     at_origin = np.zeros((len(quads), 3))
     for k, i in enumerate(others):
-        normal = np.cross(units[(k + 1) % 3], units[(k + 2) % 3])
+        normal = cross(units[(k + 1) % 3], units[(k + 2) % 3])
         d = perpendicular_part(units[k], normal) / np.maximum(lengths[k], TINY)[:, None]
         terms.append((rows, i, d))
         at_origin -= d

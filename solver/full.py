@@ -1,9 +1,10 @@
 """The full step: rotation, focal length and shared coordinates against the drawing ([Lau10] 4.2).
 
-The unknowns are x = (omega, kappa, g): a small turn of the camera, the inverse focal length, and
-the shared coordinates. Changing kappa moves the object along the axis of view as well, so that its
-middle keeps its size in the image (a dolly zoom): kappa then is the strength of the perspective
-alone, on which the projection depends almost linearly, down to kappa = 0 for a view from afar.
+The unknowns are x = (omega, kappa, g): a small turn, the inverse focal length, and the shared
+coordinates. The shape turns about its own middle, not about the eye far away. Changing kappa moves
+it along the axis of view as well, so that its middle keeps its size in the image (a dolly zoom):
+kappa then is the strength of the perspective alone, on which the projection depends almost
+linearly, down to kappa = 0 for a view from afar.
 
 The objective is the distance in the image between the projected and the drawn vertices (the paper's
 projection term |p - p'|^2); leftover constraints are held exactly.
@@ -95,14 +96,16 @@ class FullProblem:
         turn = step[:3] if self.up is None else (step[:3] @ self.up) * self.up
         old, (low, high) = np.exp(-x.log_focal), np.exp(np.negative(LOG_FOCAL_RANGE[::-1]))
         kappa = float(np.clip(old + np.clip(step[3], -0.4 * old, old), low, high))
-        dolly = (old / kappa - 1) * self._middle_depth(x)
-        g = x.g + step[4:] + dolly * self._forward(x)
+        R = Rotation.from_rotvec(turn).as_matrix() @ x.R
+        middle = self._middle(x)
+        moved_middle = middle * np.array([1.0, 1.0, old / kappa])
+        g = x.g + step[4:] + self._shift(R.T @ moved_middle - x.R.T @ middle)
         size = float(np.linalg.norm(g))
         if not 1e-12 < size < 1e12:
             return None
         # The overall size is free; keeping it stops drift.
         g = g * (float(np.linalg.norm(x.g)) / size)
-        moved = Pose(Rotation.from_rotvec(turn).as_matrix() @ x.R, -float(np.log(kappa)), g)
+        moved = Pose(R, -float(np.log(kappa)), g)
         if len(self.problem.circles) and not self._circles_visible(moved):
             return None
         depth = moved.g[self.coordinate] @ moved.R[2]
@@ -172,11 +175,12 @@ class FullProblem:
         D[:, :, 2] = -projected * inverse_depth[:, None]
         D *= self.problem.weights[:, None, None]
         J = np.zeros((2 * n, 4 + self.m))
-        # d x_cam / d omega = -[x_cam]x, so that a row d becomes x_cam x d.
-        J[:, :3] = cross(in_cam[:, None, :], D).reshape(-1, 3)
+        # d x_cam / d omega = -[x_cam - middle]x, so that a row d becomes (x_cam - middle) x d.
+        middle = self._middle(x)
+        J[:, :3] = cross((in_cam - middle)[:, None, :], D).reshape(-1, 3)
         # d f / d kappa = -f^2, and the middle depth goes with f.
         in_place = -f * projected * self.problem.weights[:, None]
-        J[:, 3] = (in_place - f * self._middle_depth(x) * D[:, :, 2]).reshape(-1)
+        J[:, 3] = (in_place - f * middle[2] * D[:, :, 2]).reshape(-1)
         by_axis = (D @ x.R).reshape(-1, 3)
         rows = np.arange(2 * n)
         for k in range(3):
@@ -203,10 +207,11 @@ class FullProblem:
         normal = x.R[:, 2 if structure.vertical is None else structure.vertical]
         by_centre, by_normal = support.by_centre, support.by_normal
         J = np.zeros((support.h.size, 4 + self.m))
-        turn = cross(centres[:, None, :], by_centre) + cross(normal, by_normal)
+        middle = self._middle(x)
+        turn = cross((centres - middle)[:, None, :], by_centre) + cross(normal, by_normal)
         J[:, :3] = turn.reshape(-1, 3)
         f = np.exp(x.log_focal)
-        dolly = self._middle_depth(x) * by_centre[:, :, 2]
+        dolly = middle[2] * by_centre[:, :, 2]
         J[:, 3] = (-f * (support.by_log_focal + dolly)).reshape(-1)
         rows = np.arange(len(J))
         by_axis = (by_centre @ x.R).reshape(-1, 3)
@@ -225,15 +230,16 @@ class FullProblem:
             x.log_focal <= low + edge and slope < 0
         )
 
-    def _middle_depth(self, x: Pose) -> float:
-        return float(np.mean(x.g[self.coordinate] @ x.R[2]))
+    def _middle(self, x: Pose) -> Array:
+        """The shape's middle in the camera frame."""
+        return np.asarray(x.R @ self.positions(x).mean(axis=0))
 
-    def _forward(self, x: Pose) -> Array:
-        """The shared coordinates' change when the object moves one unit along the axis of view."""
-        forward = np.zeros(self.m)
+    def _shift(self, vector: Array) -> Array:
+        """The shared coordinates' change when the whole shape moves by a vector in object axes."""
+        change = np.zeros(self.m)
         for k in range(3):
-            forward[self.coordinate[:, k]] = x.R[2, k]
-        return forward
+            change[self.coordinate[:, k]] = vector[k]
+        return change
 
     def _constraints(self, x: Pose) -> tuple[Array, Array]:
         positions = self.positions(x)

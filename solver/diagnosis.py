@@ -99,6 +99,8 @@ def _focal_sigma(full: FullProblem, x: Pose) -> float:
     values, vectors = np.linalg.eigh(A)
     share = vectors.T @ unit
     floor = 1e-13 * float(values.max())
+    if float(np.sum(share[values <= floor] ** 2)) > 1e-6:
+        return float("inf")
     variance = noise * float(np.sum(share**2 / np.maximum(values, floor)))
     # d log f = -f d kappa
     return float(np.exp(x.log_focal) * np.sqrt(variance))

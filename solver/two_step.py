@@ -76,6 +76,7 @@ class _Lifted:
     full: FullProblem
     minimum: Minimum[Pose]
     above: bool
+    focal_assumed: bool = False
 
 
 def solve(graph: SketchGraph, *, stop: Stop | None = None) -> Solution:
@@ -163,7 +164,7 @@ def _lift(graph: SketchGraph, structure: Structure, stop: Stop | None) -> _Lifte
     if known is None and (best is None or _focal_sigma(best) > UNSURE_FOCAL_SIGMA):
         usual = replace(problem, log_focal_prior=USUAL_LOG_FOCAL)
         assumed = _best(graph, usual, FocalPrior(USUAL_LOG_FOCAL, USUAL_FOCAL_SIGMA), stop)
-        best = assumed or best
+        best = replace(assumed, focal_assumed=True) if assumed is not None else best
     return best
 
 
@@ -359,6 +360,11 @@ def _verdict(lifted: _Lifted, open_: Freedoms, conflicts: tuple[str, ...]) -> tu
         )
     if not lifted.above:
         return (Status.CONVERGED, "Solved, but seen from below: check the ground vertices.")
+    if lifted.focal_assumed:
+        return (
+            Status.CONVERGED,
+            "Solved, with a usual focal length assumed: the drawing does not tell it.",
+        )
     return (Status.CONVERGED, "Solved.")
 
 

@@ -11,6 +11,7 @@ from scenes import SHAPES, bookshelf, box, photograph
 
 from incontext.solver import solve
 from incontext.solver.annotations import EqualLength, Ground, Length, Parallel, RightAngle
+from incontext.solver.camera import Camera
 from incontext.solver.graph import SketchGraph
 from incontext.solver.solution import Status
 
@@ -187,3 +188,31 @@ def test_the_same_graph_gives_the_same_solution():
     first, second = solve(graph), solve(graph)
     for v, x in first.vertices_mm.items():
         np.testing.assert_array_equal(x, second.vertices_mm[v])
+
+
+def frontal_box():
+    """A box seen straight on: one direction runs to a vanishing point, two stay parallel."""
+    shape = box()
+    camera = Camera(
+        1500.0, [800, 600], [[1, 0, 0], [0, 0, -1], [0, 1, 0]], [-100.0, 60.0 + 90.0, 500.0]
+    )
+    drawn = camera.project(shape.X)
+    graph = photograph(shape, np.random.default_rng(0)).graph
+    vertices = {f"v{i}": (float(p[0]), float(p[1])) for i, p in enumerate(drawn)}
+    return shape, replace(graph, vertices=vertices)
+
+
+def test_a_frontal_view_says_that_its_focal_length_is_assumed():
+    _, graph = frontal_box()
+    solution = solve(graph)
+    assert_solved(solution)
+    assert "focal length assumed" in solution.message
+
+
+def test_a_frontal_view_is_exact_with_the_focal_length_from_exif():
+    shape, graph = frontal_box()
+    solution = solve(replace(graph, photo=replace(graph.photo, focal_px=1500.0)))
+    assert_solved(solution)
+    assert solution.message == "Solved."
+    found = np.array([solution.vertices_mm[f"v{i}"] for i in range(8)])
+    np.testing.assert_allclose(found, shape.X, atol=0.5)

@@ -61,13 +61,17 @@ def freedoms(full: FullProblem, x: Pose, names: list[str]) -> Freedoms:
     null = _null_space(stacked / scale) / scale
     count = max(0, len(null) - 1)
     loose = _loose(full, x, null, names) if count else ()
-    return Freedoms(count, loose, _focal_sigma(full, x))
+    return Freedoms(count, loose, focal_sigma(full, x))
 
 
 def _null_space(A: Array) -> Array:
     """Rows that span the null space of A."""
     rows, columns = A.shape
     if columns <= MAX_SVD:
+        if rows > columns:
+            # The triangular factor has the same singular values and null space.
+            A = np.linalg.qr(A, mode="r")
+            rows = columns
         padded = np.vstack([A, np.zeros((max(0, columns - rows), columns))])
         _, s, Vt = np.linalg.svd(padded, full_matrices=False)
         return np.asarray(Vt[s <= NULL_TOLERANCE * max(float(s[0]), 1e-300)])
@@ -87,7 +91,7 @@ def _loose(full: FullProblem, x: Pose, null: Array, names: list[str]) -> tuple[s
     return tuple(n for n, p in zip(names, part, strict=True) if p != int(np.argmax(sizes)))
 
 
-def _focal_sigma(full: FullProblem, x: Pose) -> float:
+def focal_sigma(full: FullProblem, x: Pose) -> float:
     """Standard error of the log focal length, from the drawing's own misfit."""
     at = full.evaluate(x)
     A = at.J.T @ at.J + at.G + 1e8 * at.H.T @ at.H

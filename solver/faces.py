@@ -18,6 +18,7 @@ import numpy as np
 from .errors import SketchError
 from .geometry import cross
 from .graph import Face
+from .union_find import UnionFind
 from .values import Array
 
 #: Vertices within this part of the object's size of a plane lie in it.
@@ -172,21 +173,31 @@ def _with_holes(
 
     Touching loops within the same outer loop make one hole: their common outline.
     """
+    part = _parts(loops)
+    if len(set(part)) < 2:
+        return [(loop, ()) for loop in loops]
     areas = [_signed_area(P[list(loop)]) for loop in loops]
     inside: dict[int, list[int]] = {}
     for k, loop in enumerate(loops):
         outer = [
             o
             for o, other in enumerate(loops)
-            if areas[o] > areas[k]
-            and not set(loop) & set(other)
-            and _contains(P[list(other)], P[loop[0]])
+            if part[o] != part[k] and areas[o] > areas[k] and _contains(P[list(other)], P[loop[0]])
         ]
         if outer:
             inside.setdefault(min(outer, key=lambda o: areas[o]), []).append(k)
     return [
         (loop, _outlines([loops[i] for i in inside.get(k, [])])) for k, loop in enumerate(loops)
     ]
+
+
+def _parts(loops: list[tuple[int, ...]]) -> list[int]:
+    """For each loop the connected part of the drawing that it belongs to."""
+    sets = UnionFind(1 + max((max(loop) for loop in loops), default=0))
+    for loop in loops:
+        for i in loop[1:]:
+            sets.union(loop[0], i)
+    return [sets.find(loop[0]) for loop in loops]
 
 
 def _outlines(loops: list[tuple[int, ...]]) -> tuple[tuple[int, ...], ...]:

@@ -20,6 +20,7 @@ from .circles import flat_circles
 from .diagnosis import (
     Freedoms,
     clashing_annotations,
+    focal_sigma,
     freedoms,
     size_of,
     unmet_annotations,
@@ -161,19 +162,15 @@ def _lift(graph: SketchGraph, structure: Structure, stop: Stop | None) -> _Lifte
     is_prior = known is not None and problem.camera is None
     prior = FocalPrior(known, EXIF_LOG_SIGMA) if known is not None and is_prior else None
     best = _best(graph, problem, prior, stop)
-    if known is None and (best is None or _focal_sigma(best) > UNSURE_FOCAL_SIGMA):
+    if known is None and (best is None or _unsure_of_focal(best)):
         usual = replace(problem, log_focal_prior=USUAL_LOG_FOCAL)
         assumed = _best(graph, usual, FocalPrior(USUAL_LOG_FOCAL, USUAL_FOCAL_SIGMA), stop)
         best = replace(assumed, focal_assumed=True) if assumed is not None else best
     return best
 
 
-def _focal_sigma(lifted: _Lifted) -> float:
-    return freedoms(lifted.full, lifted.minimum.x, _indices(lifted)).focal_sigma
-
-
-def _indices(lifted: _Lifted) -> list[str]:
-    return [str(i) for i in range(len(lifted.full.coordinate))]
+def _unsure_of_focal(lifted: _Lifted) -> bool:
+    return focal_sigma(lifted.full, lifted.minimum.x) > UNSURE_FOCAL_SIGMA
 
 
 def _best(

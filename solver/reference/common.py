@@ -41,8 +41,10 @@ Stop = Callable[[], bool]
 RIGHT_ANGLE_WEIGHT, EQUAL_LENGTH_WEIGHT, PARALLEL_WEIGHT = 0.5, 10.0, 10.0
 #: The drawing's diagonal in drawing units.
 DIAGONAL = 100.0
-#: Stands for the energy of what is no shape: a vertex behind the eye, a number too large.
+#: Stands for the energy of what is no photograph: a vertex behind the eye, or one that is further
+#: away than `FAR` drawing units.
 IMPOSSIBLE = 1e12
+FAR = 1e5
 _TINY = 1e-12
 
 
@@ -330,10 +332,10 @@ class View:
         )
 
     def project(self, X: Array) -> Array | None:
-        """The image (n, 2) of vertices; None where one is not before the eye."""
+        """The image (n, 2) of vertices; None where one is not before the eye, or too far away."""
         in_cam = (X - self.position) @ self.rotation.T
         depth = in_cam[:, 2:]
-        if not depth.min() > 1e-3:
+        if not (depth.min() > 1e-3 and depth.max() < FAR):
             return None
         return np.asarray(self.focal * in_cam[:, :2] / depth)
 

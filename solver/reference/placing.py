@@ -16,12 +16,24 @@ from ..graph import Face, SketchGraph
 from ..residuals import annotation_residuals
 from ..solution import Report, Residual, Solution, Status
 from ..values import Array
-from .common import Drawing, Reference, Stop, View, read_drawing, unknown_annotations
+from .common import (
+    DIAGONAL,
+    FAR,
+    Drawing,
+    Reference,
+    View,
+    read_drawing,
+    unknown_annotations,
+)
 
 #: An annotation holds within these; a simplex search comes no nearer than its patience allows.
 ANGLE_TOLERANCE_DEG = 1.0
 LENGTH_TOLERANCE = 0.01  # in parts of the object's size
 ASSUMED_LONGEST_MM = 100.0
+#: A drawing missed by more than this (RMS, in parts of its diagonal) was not lifted.
+LOST = 0.05
+#: A drawing unit that counts more mm than this: an edge of given length has shrunk to nothing.
+COLLAPSED = 1e9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -121,14 +133,16 @@ def _described(name: str, drawing: Drawing, found: Reference) -> Solution:
     X, view = move.points(found.X), move.view(found.view)
     X[list(drawing.ground), 2] = 0.0  # "we project the remaining ones to the ground"
     scale, assumed = _scale(drawing, X)
+    if not (np.isfinite(X).all() and scale < COLLAPSED):
+        return Solution(graph.digest, Status.NOT_CONVERGED, f"{name} shrank the shape to nothing.")
     vertices = dict(zip(graph.vertices, scale * X, strict=True))
     camera = _camera(drawing, view, scale)
     faces = _faces(graph, vertices)
     residuals = annotation_residuals(graph, vertices, faces, {})
     unmet = _unmet(residuals, float(np.ptp(scale * X)))
-    status, message = _verdict(name, graph, unmet)
-    seen = camera.project(scale * X) - np.array(list(graph.vertices.values()))
-    off = np.nan_to_num(np.linalg.norm(seen, axis=1), nan=0.0, posinf=0.0).tolist()
+    off = np.linalg.norm(_seen(view, X) - drawing.p, axis=1)
+    missed = float(np.sqrt(np.mean(off**2))) / DIAGONAL
+    status, message = _verdict(name, graph, unmet, missed)
     return Solution(
         graph.digest,
         status,
@@ -140,11 +154,19 @@ def _described(name: str, drawing: Drawing, found: Reference) -> Solution:
         scale_assumed=assumed,
         report=Report(
             residuals=residuals,
-            reprojection_px=dict(zip(graph.vertices, off, strict=True)),
+            reprojection_px=dict(
+                zip(graph.vertices, (drawing.px_per_unit * off).tolist(), strict=True)
+            ),
             conflicts=(),
             iterations=found.evaluations,
         ),
     )
+
+
+def _seen(view: View, X: Array) -> Array:
+    """Where the camera sees the vertices, drawing units; far off where it cannot."""
+    seen = view.project(X)
+    return np.full((len(X), 2), FAR) if seen is None else seen
 
 
 def _squared(drawing: Drawing, found: Reference) -> Move:
@@ -207,19 +229,20 @@ def _unmet(residuals: dict[str, Residual], size_mm: float) -> list[str]:
     return sorted((id_ for id_, value in off.items() if not value <= 1.0), key=lambda i: -off[i])
 
 
-def _verdict(name: str, graph: SketchGraph, unmet: list[str]) -> tuple[Status, str]:
+def _verdict(name: str, graph: SketchGraph, unmet: list[str], missed: float) -> tuple[Status, str]:
     ignored = unknown_annotations(graph)
-    note = f" {name} does not know {', '.join(ignored[:4])} and left it out." if ignored else ""
-    if graph.camera is not None:
-        note += f" {name} began with the known focal length but found its own camera."
-    if unmet or ignored:
-        worst = f" (worst: {', '.join(unmet[:3])})" if unmet else ""
-        return (
-            Status.NOT_CONVERGED,
+    failures = []
+    if unmet:
+        failures.append(
             f"{len(unmet)} annotations do not hold within {ANGLE_TOLERANCE_DEG:g} degree or "
-            f"{100 * LENGTH_TOLERANCE:g} % of the size{worst}.{note}",
+            f"{100 * LENGTH_TOLERANCE:g} % of the size (worst: {', '.join(unmet[:3])})"
         )
-    return Status.CONVERGED, f"Solved by {name}.{note}"
-
-
-__all__ = ["Move", "Stop", "onto_ground", "run"]
+    if missed > LOST:
+        failures.append(f"the drawing is missed by {100 * missed:.0f} % of its diagonal")
+    if ignored:
+        failures.append(f"it does not know {', '.join(ignored[:4])}")
+    if failures:
+        return Status.NOT_CONVERGED, f"{name}: {'; '.join(failures)}."
+    if graph.camera is not None:
+        return Status.CONVERGED, f"Solved by {name}, which found a camera of its own."
+    return Status.CONVERGED, f"Solved by {name}."

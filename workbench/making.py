@@ -64,7 +64,7 @@ def made_files(
     from .fabrication.picture import caption_of, picture_png
 
     thickness = order.plates.thickness_mm if order.plates else 3.0
-    model = build_model(solution, thickness)
+    model = build_model(solution, thickness, graph.revolutions)
     files: dict[str, bytes] = {}
     shown: tuple[str, Scene] | None = None
     if order.plates is not None:

@@ -18,11 +18,14 @@ from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFilter
 
 from ...solver.camera import Camera
+from ...solver.union_find import UnionFind
 from ...solver.values import Array
 from .plates import Plate
 
 WOOD = (233, 203, 158)
 BURNT = (150, 106, 66)
+#: Facets that meet at less than about 15 degrees belong to one curved face.
+CREASE_COSINE = 0.966
 PLASTIC = (196, 208, 222)
 OUTLINE = (74, 56, 40)
 #: Each pixel is drawn as so many by so many.
@@ -82,9 +85,23 @@ def plates_scene(plates: Sequence[Plate]) -> Scene:
 
 
 def mesh_scene(vertices_mm: Array, triangles: NDArray[np.int32]) -> Scene:
-    """A printed solid as plastic."""
+    """A printed solid as plastic; facets of a curved surface are one face."""
     corners = vertices_mm[triangles]
-    return _scene(corners, np.zeros(len(corners), dtype=int), np.tile(PLASTIC, (len(corners), 1)))
+    faces = _smooth_faces(triangles, _normals(corners))
+    return Scene(corners, faces + 1, np.tile(np.asarray(PLASTIC, dtype=float), (len(corners), 1)))
+
+
+def _smooth_faces(triangles: NDArray[np.int32], normals: Array) -> NDArray[np.int32]:
+    """Number the triangles by face: neighbours across an edge without a crease are one."""
+    sets = UnionFind(len(triangles))
+    across: dict[tuple[int, int], int] = {}
+    for t, (a, b, c) in enumerate(triangles.tolist()):
+        for ends in ((a, b), (b, c), (c, a)):
+            other = across.setdefault((min(ends), max(ends)), t)
+            if other != t and normals[t] @ normals[other] > CREASE_COSINE:
+                sets.union(t, other)
+    _, faces = np.unique(sets.labels(), return_inverse=True)
+    return np.asarray(faces.reshape(-1), dtype=np.int32)
 
 
 def _scene(triangles: Array, owners: NDArray[np.int_], colours: Array) -> Scene:

@@ -21,6 +21,7 @@ from dataclasses import dataclass
 from .errors import SettingsError
 
 SIDES = ("inside", "outside", "middle")
+OPEN_ENDS = ("wider", "bottom", "top", "both", "none")
 
 #: Sheets that shops and schools have, mm; the smallest that takes every plate is the default.
 USUAL_SHEETS_MM = (
@@ -90,6 +91,9 @@ class ShellSettings:
         Thickness of the wall.
     side : str
         ``inside`` or ``outside``: where the wall lies, seen from the drawn faces.
+    open_end : str
+        Which end of a surface of revolution has no wall: ``bottom``, ``top``, ``both``, ``none``
+        or ``wider`` (a lid is open below, a saucer above).
 
     Raises
     ------
@@ -99,10 +103,13 @@ class ShellSettings:
 
     wall_mm: float = 2.0
     side: str = "inside"
+    open_end: str = "wider"
 
     def __post_init__(self) -> None:
         check_number("wall", self.wall_mm, 0.05, 200.0)
         check_side(self.side)
+        if self.open_end not in OPEN_ENDS:
+            raise SettingsError(f"there is no open end {self.open_end!r}", (), ", ".join(OPEN_ENDS))
 
 
 def check_number(name: str, value: float, least: float, most: float) -> None:

@@ -22,6 +22,7 @@ from ...solver.values import Array
 from .errors import FabricationError
 from .polyhedra import Loop, Polyhedron, area_vector, polyhedron_of
 from .settings import ShellSettings
+from .turned import turned_solid
 
 if TYPE_CHECKING:
     import cadquery as cq
@@ -49,6 +50,8 @@ def shell_solid(model: Model, settings: ShellSettings = _DEFAULTS) -> cq.Shape:
     FabricationError
         Where the faces do not close, or the walls are too thick for the object.
     """
+    if model.turned:
+        return turned_solid(model, settings)
     body = polyhedron_of(model)
     block = _block(body)
     windows = [id_ for id_ in body.openings if _is_window(body, id_)]

@@ -42,7 +42,8 @@ def model_of(sketch_text: str, thickness_mm: float) -> Model:
     """The lifted faces with thickness; raises SketchError where there are none."""
     from ...solver.model import build_model
 
-    return build_model(solution_of(sketch_text), thickness_mm)
+    revolutions = graph_of(sketch_text).revolutions
+    return build_model(solution_of(sketch_text), thickness_mm, revolutions)
 
 
 @lru_cache(maxsize=REMEMBERED)

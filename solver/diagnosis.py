@@ -70,7 +70,7 @@ def _null_space(A: Array) -> Array:
     if columns <= MAX_SVD:
         if rows > columns:
             # The triangular factor has the same singular values and null space.
-            A = np.linalg.qr(A, mode="r")
+            A = np.asarray(np.linalg.qr(A, mode="r"), dtype=np.float64)
             rows = columns
         padded = np.vstack([A, np.zeros((max(0, columns - rows), columns))])
         _, s, Vt = np.linalg.svd(padded, full_matrices=False)

@@ -3,6 +3,7 @@
 #   make run      FreeCAD with the bookshelf example; without a display, its files in build/bookshelf
 #   make test     everything that is checked: lint, types, tests in Python and inside FreeCAD
 #   make setup    what the two need: packages of Debian, and .venv
+#   make bench    the solver beside the paper's, Lipson's and SolveSpace's: one table
 #   make lint     make types     make format     make clean
 #
 # Made for Debian 12 with nothing but git and make on it. Stamp files remember what is there
@@ -28,7 +29,7 @@ define apt_install
 		--yes --no-install-recommends $(call missing,$(1)))
 endef
 
-.PHONY: run test setup lint types format clean
+.PHONY: run test setup bench lint types format clean
 
 run: $(READY)
 	@$(PYTHON) -m incontext.workbench.launch
@@ -37,6 +38,9 @@ test: $(READY) build/.test-packages
 	@$(PYTHON) tests/stages.py
 
 setup: $(READY) build/.test-packages
+
+bench: $(READY)
+	@$(PYTHON) -m incontext.workbench bench
 
 lint: $(READY)
 	@$(PYTHON) tests/stages.py lint

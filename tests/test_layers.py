@@ -51,6 +51,7 @@ DATA_SIDE = {
     "solution",
     "values",
     "editing",
+    "annotating",
 }
 
 

@@ -1,4 +1,4 @@
-"""The command line: solve, make, check.
+"""The command line: solve, make, check, bench.
 
 Exit status: 0 all went well; 2 bad input (one line on stderr says what, where, what to try); 3 the
 solve ended badly (the solution file is still written); 1 a fault of the program itself.
@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -20,7 +20,8 @@ if TYPE_CHECKING:
 
 OK, FAULT, BAD_INPUT, BAD_SOLVE = 0, 1, 2, 3
 ENDING = ".sketch.json"
-METHODS = ("ours",)
+#: The solver, and the reference methods by their names in ``solver.reference.METHODS``.
+METHODS = ("ours", "lau2010", "lipson1996")
 
 
 class _Parser(argparse.ArgumentParser):
@@ -79,6 +80,7 @@ def _parser() -> argparse.ArgumentParser:
     _add_solve(commands)
     _add_make(commands)
     _add_check(commands)
+    _add_bench(commands)
     return parser
 
 
@@ -102,7 +104,12 @@ def _add_solve(commands: Any) -> None:
         type=Path,
         help="where to write it (default: NAME.solution.json beside the sketch)",
     )
-    command.add_argument("--method", choices=METHODS, default=METHODS[0], help="which solver")
+    command.add_argument(
+        "--method",
+        choices=METHODS,
+        default=METHODS[0],
+        help="which solver: ours (default), the paper's own or Lipson's, both slow",
+    )
 
 
 def _add_check(commands: Any) -> None:
@@ -113,6 +120,24 @@ def _add_check(commands: Any) -> None:
         "Say what is wrong or missing in a sketch. One line each; exit status 2 where a solve "
         "cannot succeed.",
     )
+
+
+def _add_bench(commands: Any) -> None:
+    text = (
+        "Compare the solver with the paper's method, Lipson's and SolveSpace's. Prints one table."
+    )
+    command = commands.add_parser("bench", help="compare the solvers", description=text)
+    add = command.add_argument
+    add("--runs", metavar="N", type=_count, help="views of each shape (5; 2 with --quick)")
+    add("--quick", action="store_true", help="small shapes and the table, about a minute")
+    add("--pictures", action="store_true", help="write figure8.png and figure9.png to build/bench")
+    command.set_defaults(run=_bench)
+
+
+def _count(text: str) -> int:
+    if not text.isdecimal() or int(text) < 1:
+        raise argparse.ArgumentTypeError(f"{text!r} is no number of runs like 5")
+    return int(text)
 
 
 def _add_make(commands: Any) -> None:
@@ -145,6 +170,13 @@ def _add_make(commands: Any) -> None:
         metavar="SIDE",
         default="inside",
         help="where the material lies: inside the drawn faces (default), outside, middle",
+    )
+    add(
+        "--open",
+        metavar="END",
+        default="wider",
+        dest="open_end",
+        help="open end of a turned solid: wider (default), bottom, top, both, none",
     )
 
 
@@ -195,7 +227,6 @@ def _check(arguments: argparse.Namespace) -> int:
 
 
 def _solve(arguments: argparse.Namespace) -> int:
-    from ..solver import solve
     from ..solver.files import write_files
     from .photos import photo_problem
 
@@ -203,11 +234,30 @@ def _solve(arguments: argparse.Namespace) -> int:
     problem = photo_problem(graph, arguments.sketch)
     if problem:
         _complain(f"warning: {problem}")
-    solution = solve(graph)
+    solution = _solver(arguments.method)(graph)
     beside = arguments.sketch.with_name(name_of(arguments.sketch) + ".solution.json")
     output = arguments.output or beside
     write_files({output: _solution_text(solution)})
     return _verdict(solution)
+
+
+def _solver(method: str) -> Callable[..., Solution]:
+    from ..solver import solve
+    from ..solver.reference import METHODS as REFERENCES
+
+    return solve if method == METHODS[0] else REFERENCES[method]
+
+
+def _bench(arguments: argparse.Namespace) -> int:
+    from .bench import Options, bench, write_pictures
+
+    options = Options.quick() if arguments.quick else Options.full()
+    for line in bench(options.with_runs(arguments.runs)):
+        print(line, flush=True)
+    if arguments.pictures:
+        for path in write_pictures(Path("build") / "bench"):
+            print(path)
+    return OK
 
 
 def _verdict(solution: Solution) -> int:
@@ -237,7 +287,9 @@ def _make(arguments: argparse.Namespace) -> int:
         kerf_mm=arguments.kerf,
         sheet_mm=arguments.sheet,
     )
-    shell_settings = ShellSettings(wall_mm=arguments.wall, side=arguments.side)
+    shell_settings = ShellSettings(
+        wall_mm=arguments.wall, side=arguments.side, open_end=arguments.open_end
+    )
     graph = _load(arguments.sketch)
     photo, problem = load_photo(graph, arguments.sketch)
     if problem:

@@ -5,7 +5,7 @@ Quotations are from that section. Where the paper is silent or misprinted, a rea
 ==========================  ====================================================================
 the paper                   the reading here
 ==========================  ====================================================================
-unit of length (silent)     drawing units: the drawn diagonal is 100 (`common`)
+unit of length (silent)     drawing units: the drawn diagonal is 100 (`drawing`)
 parallel term               printed as 1 / (angle - 90)^2: smallest, not zero, for parallels and
                             infinite at right angles; read as (angle to being parallel)^2
 GSL's Nelder-Mead           scipy's, begun with the same kind of simplex (x0, x0 + step_i e_i)
@@ -41,8 +41,6 @@ from ..graph import SketchGraph
 from ..solution import Solution
 from ..values import Array
 from .common import (
-    DIAGONAL,
-    Drawing,
     Found,
     Limits,
     Reference,
@@ -50,9 +48,10 @@ from .common import (
     View,
     camera_steps,
     nelder_mead,
-    read_drawing,
     view_along_z,
 )
+from .drawing import DIAGONAL, Drawing, read_drawing
+from .energies import IntArray
 from .placing import onto_ground, run
 
 #: "we start with a weight of 0.4 and lower this by 0.1 each time until we reach 0"; see above.
@@ -148,7 +147,7 @@ class Dimensions:
     of_vertex: tuple[int, ...]
     completions: tuple[tuple[int, int, int, int], ...]
     expand: Array
-    chosen: Array
+    chosen: IntArray
 
     def vertices(self, unknowns: Array) -> Array:
         """All vertices (n, 3); those with zero dimensions "are generated from the others"."""

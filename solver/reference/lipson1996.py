@@ -19,7 +19,8 @@ import numpy as np
 from ..graph import SketchGraph
 from ..solution import Solution
 from ..values import Array
-from .common import Drawing, Limits, Reference, Stop, camera_steps, nelder_mead, view_along_z
+from .common import Limits, Reference, Stop, camera_steps, nelder_mead, view_along_z
+from .drawing import Drawing
 from .lau2010 import PROJECTION_WEIGHTS, STEP
 from .placing import run
 

@@ -16,15 +16,8 @@ from ..graph import Face, SketchGraph
 from ..residuals import annotation_residuals
 from ..solution import Report, Residual, Solution, Status
 from ..values import Array
-from .common import (
-    DIAGONAL,
-    FAR,
-    Drawing,
-    Reference,
-    View,
-    read_drawing,
-    unknown_annotations,
-)
+from .common import FAR, Reference, View
+from .drawing import DIAGONAL, Drawing, read_drawing, unknown_annotations
 
 #: An annotation holds within these; a simplex search comes no nearer than its patience allows.
 ANGLE_TOLERANCE_DEG = 1.0
@@ -98,31 +91,27 @@ def _upright_edge(drawing: Drawing, X: Array, view: View) -> Array:
     return np.asarray(best)
 
 
-def run(
-    name: str,
-    graph: SketchGraph,
-    method: Callable[[Drawing], Reference],
-) -> Solution:
+def run(name: str, graph: SketchGraph, method: Callable[[Drawing], Reference]) -> Solution:
     """Run a reference method and describe what it found; always returns a solution."""
     began = time.perf_counter()
-    refused = _refused(name, graph)
-    if refused:
-        return Solution(graph.digest, Status.NOT_CONVERGED, refused)
+    if graph.circles or graph.revolutions:
+        ids = ", ".join([*graph.circles, *graph.revolutions][:4])
+        text = f"{name} is given here for straight edges only, without {ids}: take method ours."
+        return Solution(graph.digest, Status.NOT_CONVERGED, text)
+    if nothing := _nothing_to_lift(graph):
+        return Solution(graph.digest, Status.UNDERDETERMINED, nothing)
     drawing = read_drawing(graph)
     solution = _described(name, drawing, method(drawing))
     elapsed = (time.perf_counter() - began) * 1e3
     return replace(solution, report=replace(solution.report, solve_ms=elapsed))
 
 
-def _refused(name: str, graph: SketchGraph) -> str:
-    if graph.circles or graph.revolutions:
-        ids = ", ".join([*graph.circles, *graph.revolutions][:4])
-        return f"{name} is given here for straight edges only ({ids}): take the method ours."
-    pixels = np.array(list(graph.vertices.values())).reshape(-1, 2)
-    if not graph.edges or len(pixels) < 3:
+def _nothing_to_lift(graph: SketchGraph) -> str:
+    if not graph.edges:
         return "The sketch has no edges: draw the object's edges over the photo."
+    pixels = np.array(list(graph.vertices.values()))
     spread = np.linalg.svd(pixels - pixels.mean(axis=0), compute_uv=False)
-    if spread[1] <= 1e-6 * max(float(spread[0]), 1e-300):
+    if len(pixels) < 3 or spread[1] <= 1e-6 * max(float(spread[0]), 1e-300):
         return "All vertices lie on one line: draw edges in at least two directions."
     return ""
 

@@ -23,10 +23,13 @@ class InContextWorkbench(FreeCADGui.Workbench):
     def Initialize(self):  # noqa: N802  FreeCAD's name
         """Make the commands, the toolbar and the menu."""
         from incontext.workbench.commands import register_commands
+        from incontext.workbench.commands.tools import register_tools
 
-        names = register_commands()
+        names, tools = register_commands(), register_tools()
         self.appendToolbar("Modeling in Context", names)
+        self.appendToolbar("Sketch tools", tools)
         self.appendMenu("Modeling in &Context", names)
+        self.appendMenu(["Modeling in &Context", "Sketch &tools"], tools)
 
     def Activated(self):  # noqa: N802
         """Nothing to do; FreeCAD asks for it."""

@@ -8,8 +8,10 @@ from PySide import QtGui
 
 from incontext.solver.annotations import Ground, Length, RightAngle
 from incontext.solver.graph import Ellipse, Face, SketchGraph
-from incontext.workbench.canvas import overlay, style
+from incontext.workbench.canvas import overlay, previews, style
 from incontext.workbench.canvas.marks import marks_of
+from incontext.workbench.canvas.preview import Preview, Selection
+from incontext.workbench.canvas.snapping import Snap, SnapKind
 
 SQUARE = {"v1": (40.0, 40.0), "v2": (160.0, 40.0), "v3": (160.0, 160.0), "v4": (40.0, 160.0)}
 
@@ -20,11 +22,16 @@ def graph():
     return SketchGraph(vertices=SQUARE, edges=edges)
 
 
-def painted(graph, hovered=None):
+def painted(graph, findings=None, preview=None, selection=None):
     image = QtGui.QImage(200, 200, QtGui.QImage.Format_RGB32)
     image.fill(QtGui.QColor("#808080"))
     painter = QtGui.QPainter(image)
-    overlay.paint(painter, overlay.Scene(graph, marks_of(graph), dict(graph.vertices), {}, hovered))
+    findings = findings or overlay.Findings()
+    scene = overlay.Scene(graph, marks_of(graph), dict(graph.vertices), {}, findings)
+    work = previews.Work(preview or Preview(), selection or Selection(), lambda point: point)
+    previews.paint_below(painter, scene, work)
+    overlay.paint(painter, scene)
+    previews.paint_above(painter, scene, work)
     painter.end()
     return image
 
@@ -60,7 +67,49 @@ def test_ground_vertices_are_green(graph):
 
 
 def test_vertex_under_the_pointer_lights_up(graph):
-    assert has(painted(graph, hovered="v1"), style.HOVER, 40, 40)
+    lit = Preview(lit=Selection(vertices=frozenset(("v1",))))
+    assert has(painted(graph, preview=lit), style.HOVER, 40, 40)
+
+
+def test_selected_edges_have_a_halo(graph):
+    image = painted(graph, selection=Selection(edges=frozenset(("e1",))))
+    assert has(image, style.SELECTED, 100, 43)
+    assert not has(image, style.SELECTED, 100, 157)
+
+
+def test_loose_vertices_are_orange_and_conflicts_red(graph):
+    graph = replace(graph, annotations={"a1": RightAngle("v1", ("e1", "e4"))})
+    findings = overlay.Findings(frozenset(("v3",)), frozenset(("a1", "gone")))
+    image = painted(graph, findings)
+    assert has(image, style.LOOSE, 160, 160)
+    assert has(image, style.CONFLICT, 51, 51)
+    red = image.pixelColor(100, 43)
+    assert red.red() > red.green() + 60
+
+
+@pytest.mark.parametrize("kind", ["vertex", "midpoint", "edge"])
+def test_each_snap_has_a_shape_of_its_own(graph, kind):
+    image = painted(graph, preview=Preview(snap=Snap(SnapKind(kind), (100.0, 100.0))))
+    found = {
+        (x, y)
+        for x in range(85, 116)
+        for y in range(85, 116)
+        if image.pixelColor(x, y) == QtGui.QColor(style.SNAP)
+    }
+    assert len(found) > 10
+    assert ((100, 100) in found) == (kind == "edge")
+
+
+def test_preview_shows_bands_boxes_and_corners_and_nothing_of_what_is_gone(graph):
+    preview = Preview(
+        strokes=(((60.0, 100.0), (140.0, 100.0)),),
+        corners=(("v1", "v2", "v4"), ("v1", "v2", "gone")),
+        box=((150.0, 150.0), (60.0, 120.0)),
+    )
+    image = painted(graph, preview=preview)
+    assert any(has(image, style.EDGE, x, 100) for x in range(60, 140))
+    assert has(image, style.HOVER_LINE, 54, 54)
+    assert image.pixelColor(100, 130) != QtGui.QColor("#808080")
 
 
 def test_right_angle_stands_at_its_corner(graph):

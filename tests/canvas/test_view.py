@@ -6,7 +6,9 @@ import pytest
 from PySide import QtCore, QtGui
 
 from incontext.solver import load_sketch
+from incontext.solver.graph import SketchGraph
 from incontext.workbench.canvas.photo import load_photo
+from incontext.workbench.canvas.tools import KEYS
 from incontext.workbench.canvas.view import SketchView
 
 Qt = QtCore.Qt
@@ -163,3 +165,89 @@ def test_photo_fades_but_not_the_sketch(view):
     image = view.grab().toImage()
     colours = {image.pixelColor(x, y).name() for x in range(0, 640, 2) for y in range(0, 480, 2)}
     assert "#1769c9" in colours
+
+
+def press_key(view, code, modifiers=Qt.NoModifier):
+    assert key(view, QtCore.QEvent.ShortcutOverride, code, modifiers).isAccepted()
+    key(view, QtCore.QEvent.KeyPress, code, modifiers)
+
+
+def click(view, pos, button=Qt.LeftButton):
+    mouse(view, QtCore.QEvent.MouseMove, pos, Qt.NoButton, Qt.NoButton)
+    mouse(view, QtCore.QEvent.MouseButtonPress, pos, button, button)
+    mouse(view, QtCore.QEvent.MouseButtonRelease, pos, button, Qt.NoButton)
+
+
+@pytest.mark.parametrize(("letter", "name"), KEYS.items())
+def test_each_tool_has_a_key_and_tells_of_itself(view, letter, name):
+    view.use_tool("ground" if name != "ground" else "line")
+    told, hints = [], []
+    view.tool_changed.connect(told.append)
+    view.hint_changed.connect(hints.append)
+    press_key(view, getattr(Qt, f"Key_{letter}"))
+    assert (view.tool_name, told, hints) == (name, [name], [view.hint])
+
+
+def test_right_button_ends_a_chain_of_lines(view):
+    edits = edits_of(view)
+    view.use_tool("line")
+    for pos in (QtCore.QPoint(30, 60), QtCore.QPoint(60, 60)):
+        click(view, pos)
+    click(view, QtCore.QPoint(90, 90), Qt.RightButton)
+    click(view, QtCore.QPoint(30, 300))
+    assert [words for _, words in edits] == ["Draw line"]
+
+
+def test_enter_ends_a_group_and_control_a_selects_all(view):
+    edits = edits_of(view)
+    view.use_tool("parallel")
+    for edge in ("e12", "e19"):
+        v, w = view.graph.edges[edge]
+        click(view, (at(view, v) + at(view, w)) / 2)
+    press_key(view, Qt.Key_Return)
+    assert [words for _, words in edits] == ["Mark parallel"]
+    press_key(view, Qt.Key_A, Qt.ControlModifier)
+    assert view.tool_name == "select"
+    press_key(view, Qt.Key_Delete)
+    assert not view.graph.vertices
+
+
+def test_the_pointer_shows_what_a_press_does(view):
+    assert view.cursor_shape() == Qt.ArrowCursor
+    mouse(view, QtCore.QEvent.MouseMove, at(view, "v8"), Qt.NoButton, Qt.NoButton)
+    assert view.cursor_shape() == Qt.SizeAllCursor
+    view.use_tool("line")
+    assert view.cursor_shape() == Qt.CrossCursor
+
+
+def test_length_is_typed_over_its_edge(view):
+    edits = edits_of(view)
+    view.use_tool("length")
+    field = view.findChild(QtGui.QLineEdit)
+    middle = (at(view, "v0") + at(view, "v4")) / 2
+    for text, words in (("nonsense", []), ("3/4 in", ["Set length"])):
+        click(view, middle)
+        assert field.isVisible()
+        field.setText(text)
+        key(field, QtCore.QEvent.KeyPress, Qt.Key_Return)
+        assert [w for _, w in edits] == words
+    assert not field.isVisible()
+    assert 19.05 in [a.length_mm for a in view.graph.annotations_of("length").values()]
+    click(view, middle)
+    assert field.text() == "19.05 mm"
+    assert key(field, QtCore.QEvent.ShortcutOverride, Qt.Key_L).isAccepted()
+    key(field, QtCore.QEvent.KeyPress, Qt.Key_Escape)
+    assert not field.isVisible()
+
+
+def test_empty_sketch_says_what_to_do_until_something_is_begun(view):
+    view.set_graph(SketchGraph())
+    view.invitation = ""
+    bare = view.grab().toImage()
+    view.invitation = "Draw something"
+    assert view.grab().toImage() != bare
+    view.use_tool("line")
+    click(view, QtCore.QPoint(30, 30))
+    invited = view.grab().toImage()
+    view.invitation = ""
+    assert view.grab().toImage() == invited

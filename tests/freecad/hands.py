@@ -44,6 +44,10 @@ class Hands:
         """Press a key, such as ``ctrl+z``."""
         self._do("key", keys)
 
+    def type(self, text: str) -> None:
+        """Type a text."""
+        self._do("type", "--delay", "30", text)
+
     def _do(self, *arguments: str) -> None:
         subprocess.run(["xdotool", *arguments], check=True)
         pump(0.15)

@@ -7,7 +7,9 @@ import FreeCADGui
 import pytest
 
 from incontext.tests.freecad.hands import pump
+from incontext.workbench.canvas.tools import TOOLS
 from incontext.workbench.commands import COMMANDS
+from incontext.workbench.commands.tools import TOOL_COMMANDS
 from incontext.workbench.features.photo_sketch import is_photo_sketch
 
 
@@ -17,7 +19,7 @@ def workbench():
     assert FreeCADGui.activeWorkbench().name() == "InContextWorkbench"
 
 
-@pytest.mark.parametrize("command", COMMANDS, ids=lambda command: command.NAME)
+@pytest.mark.parametrize("command", [*COMMANDS, *TOOL_COMMANDS], ids=lambda command: command.NAME)
 def test_command_is_registered_and_dressed(command):
     assert command.NAME.startswith("InContext_")
     assert command.NAME in FreeCADGui.listCommands()
@@ -35,6 +37,18 @@ def test_shortcuts_differ():
 def test_toolbar_and_menu_have_every_command():
     listed = set(FreeCADGui.activeWorkbench().getToolbarItems()["Modeling in Context"])
     assert {command.NAME for command in COMMANDS} <= listed
+    listed = set(FreeCADGui.activeWorkbench().getToolbarItems()["Sketch tools"])
+    assert {command.NAME for command in TOOL_COMMANDS} <= listed
+
+
+def test_every_tool_has_its_command_and_its_key_in_the_tooltip():
+    from incontext.workbench.panels.tool_buttons import command_name
+
+    assert [command.TOOL for command in TOOL_COMMANDS] == list(TOOLS)
+    for command in TOOL_COMMANDS:
+        assert command_name(command.TOOL) == command.NAME
+        assert TOOLS[command.TOOL].KEY == command.KEY
+        assert f"key {command.KEY} " in command().GetResources()["ToolTip"]
 
 
 def test_new_sketch_embeds_the_photo(document, shelf_path):

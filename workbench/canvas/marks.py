@@ -21,14 +21,14 @@ class Marks:
 
     Parameters
     ----------
-    right_angles : tuple of (vertex, vertex, vertex)
+    right_angles : mapping of annotation to (vertex, vertex, vertex)
         The corner and the other ends of its two edges.
     equal_lengths, parallels : mapping of edge to count
     lengths : mapping of edge to text
     ground : frozenset of vertices
     """
 
-    right_angles: tuple[tuple[str, str, str], ...] = ()
+    right_angles: dict[str, tuple[str, str, str]] = field(default_factory=dict)
     equal_lengths: dict[str, int] = field(default_factory=dict)
     parallels: dict[str, int] = field(default_factory=dict)
     lengths: dict[str, str] = field(default_factory=dict)
@@ -47,14 +47,14 @@ def marks_of(graph: SketchGraph) -> Marks:
     )
 
 
-def _right_angles(graph: SketchGraph) -> tuple[tuple[str, str, str], ...]:
-    found = []
-    for annotation in graph.annotations_of("right_angle").values():
+def _right_angles(graph: SketchGraph) -> dict[str, tuple[str, str, str]]:
+    found = {}
+    for id_, annotation in graph.annotations_of("right_angle").items():
         ends = [graph.edges[edge] for edge in annotation.between]
         others = [w if v == annotation.at else v for v, w in ends]
         if all(annotation.at in pair for pair in ends):
-            found.append((annotation.at, *others))
-    return tuple(found)
+            found[id_] = (annotation.at, *others)
+    return found
 
 
 def _numbered(graph: SketchGraph, kind: str) -> dict[str, int]:

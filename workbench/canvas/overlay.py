@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from ...solver.annotations import targets_of
 from . import style, symbols
 from .marks import Marks
 from .qt import QtCore, QtGui
@@ -18,6 +19,14 @@ _Qt = QtCore.Qt
 
 
 @dataclass(frozen=True, slots=True)
+class Findings:
+    """What the solver found: vertices that nothing holds yet, annotations that disagree."""
+
+    loose: frozenset[str] = frozenset()
+    conflicts: frozenset[str] = frozenset()
+
+
+@dataclass(frozen=True, slots=True)
 class Scene:
     """What is painted.
 
@@ -27,14 +36,14 @@ class Scene:
     marks : Marks
     screen : mapping of vertex to screen position
     circles : mapping of circle to its outline on the screen
-    hovered : vertex under the pointer, or None
+    findings : Findings
     """
 
     graph: SketchGraph
     marks: Marks
     screen: dict[str, Point]
     circles: dict[str, Stroke] = field(default_factory=dict)
-    hovered: str | None = None
+    findings: Findings = Findings()
 
     def ends(self, edge: str) -> tuple[Point, Point]:
         """Screen positions of an edge's two ends."""
@@ -46,6 +55,7 @@ def paint(painter: QtGui.QPainter, scene: Scene) -> None:
     """Paint everything, from the back to the front."""
     painter.setRenderHint(QtGui.QPainter.Antialiasing)
     _paint_left_out(painter, scene)
+    _paint_conflicts(painter, scene)
     # Below the edges, whose ends they would cover else.
     _paint_right_angles(painter, scene)
     _paint_edges(painter, scene)
@@ -61,7 +71,7 @@ def _paint_left_out(painter: QtGui.QPainter, scene: Scene) -> None:
     painter.setBrush(QtGui.QBrush(colour, _Qt.BDiagPattern))
     for face in (scene.graph.faces or {}).values():
         if not face.included and all(v in scene.screen for v in face.loop):
-            painter.drawPolygon(_polygon([scene.screen[v] for v in face.loop]))
+            painter.drawPolygon(polygon([scene.screen[v] for v in face.loop]))
 
 
 def _paint_edges(painter: QtGui.QPainter, scene: Scene) -> None:
@@ -70,14 +80,31 @@ def _paint_edges(painter: QtGui.QPainter, scene: Scene) -> None:
     drawn: list[Stroke] = [scene.ends(e) for e in scene.graph.edges if e not in helping]
     traced += [stroke for c, stroke in scene.circles.items() if c in helping]
     drawn += [stroke for c, stroke in scene.circles.items() if c not in helping]
-    _stroke(painter, traced, style.CONSTRUCTION, style.CONSTRUCTION_PX, dashed=True)
-    _stroke(painter, drawn, style.EDGE, style.EDGE_PX)
+    stroke(painter, traced, style.CONSTRUCTION, style.CONSTRUCTION_PX, dashed=True)
+    stroke(painter, drawn, style.EDGE, style.EDGE_PX)
+
+
+def _paint_conflicts(painter: QtGui.QPainter, scene: Scene) -> None:
+    """A red halo behind every edge of which annotations say what cannot be."""
+    named = [scene.graph.annotations.get(id_) for id_ in scene.findings.conflicts]
+    edges = {e for a in named if a is not None for e in targets_of(a).get("edge", ())}
+    halo = QtGui.QColor(style.CONFLICT)
+    halo.setAlpha(style.CONFLICT_ALPHA)
+    pen = QtGui.QPen(halo, style.CONFLICT_PX)
+    pen.setCapStyle(_Qt.FlatCap)
+    painter.setPen(pen)
+    for edge in edges & set(scene.graph.edges):
+        painter.drawPolyline(polygon(scene.ends(edge)))
 
 
 def _paint_right_angles(painter: QtGui.QPainter, scene: Scene) -> None:
-    corners = [[scene.screen[v] for v in vertices] for vertices in scene.marks.right_angles]
-    strokes = [symbols.right_angle(*points, style.RIGHT_ANGLE_PX) for points in corners]
-    _stroke(painter, strokes, style.ANNOTATION, style.SYMBOL_PX)
+    marked: dict[bool, list[Stroke]] = {False: [], True: []}
+    for id_, vertices in scene.marks.right_angles.items():
+        points = [scene.screen[v] for v in vertices]
+        bad = id_ in scene.findings.conflicts
+        marked[bad].append(symbols.right_angle(*points, style.RIGHT_ANGLE_PX))
+    stroke(painter, marked[False], style.ANNOTATION, style.SYMBOL_PX)
+    stroke(painter, marked[True], style.CONFLICT, 3 * style.SYMBOL_PX)
 
 
 def _paint_marks(painter: QtGui.QPainter, scene: Scene) -> None:
@@ -86,19 +113,22 @@ def _paint_marks(painter: QtGui.QPainter, scene: Scene) -> None:
         strokes += symbols.ticks(*scene.ends(edge), count, style.TICK_PX, style.MARK_SPACING_PX)
     for edge, count in scene.marks.parallels.items():
         strokes += symbols.arrows(*scene.ends(edge), count, style.ARROW_PX, style.MARK_SPACING_PX)
-    _stroke(painter, strokes, style.ANNOTATION, style.SYMBOL_PX)
+    stroke(painter, strokes, style.ANNOTATION, style.SYMBOL_PX)
 
 
 def _paint_vertices(painter: QtGui.QPainter, scene: Scene) -> None:
+    """Discs; green ones stand on the ground, orange squares are not held by anything yet."""
+    radius = style.VERTEX_RADIUS_PX
     for vertex, (x, y) in scene.screen.items():
-        hovered = vertex == scene.hovered
         on_ground = vertex in scene.marks.ground
-        radius = style.HOVER_RADIUS_PX if hovered else style.VERTEX_RADIUS_PX
-        fill = style.HOVER if hovered else style.GROUND if on_ground else style.VERTEX
-        rim = style.CASING if on_ground and not hovered else style.EDGE
-        painter.setPen(QtGui.QPen(QtGui.QColor(rim), 1.5))
-        painter.setBrush(QtGui.QColor(fill))
-        painter.drawEllipse(QtCore.QPointF(x, y), radius, radius)
+        painter.setPen(QtGui.QPen(QtGui.QColor(style.CASING if on_ground else style.EDGE), 1.5))
+        painter.setBrush(QtGui.QColor(style.GROUND if on_ground else style.VERTEX))
+        if vertex in scene.findings.loose:
+            painter.setBrush(QtGui.QColor(style.LOOSE))
+            side = 2.6 * radius
+            painter.drawRect(QtCore.QRectF(x - side / 2, y - side / 2, side, side))
+        else:
+            painter.drawEllipse(QtCore.QPointF(x, y), radius, radius)
 
 
 def _paint_lengths(painter: QtGui.QPainter, scene: Scene) -> None:
@@ -123,7 +153,7 @@ def _paint_lengths(painter: QtGui.QPainter, scene: Scene) -> None:
         painter.drawText(plaque, _Qt.AlignCenter, text)
 
 
-def _stroke(
+def stroke(
     painter: QtGui.QPainter,
     strokes: Iterable[Stroke],
     colour: str,
@@ -132,7 +162,7 @@ def _stroke(
     dashed: bool = False,
 ) -> None:
     """Lines with a white casing: all casings first, so that none cuts through a line."""
-    lines = [_polygon(stroke) for stroke in strokes]
+    lines = [polygon(stroke) for stroke in strokes]
     casing = QtGui.QColor(style.CASING)
     casing.setAlpha(style.CASING_ALPHA)
     outer = QtGui.QPen(casing, width_px + 2 * style.CASING_PX)
@@ -148,5 +178,6 @@ def _stroke(
             painter.drawPolyline(line)
 
 
-def _polygon(points: Iterable[Point]) -> QtGui.QPolygonF:
+def polygon(points: Iterable[Point]) -> QtGui.QPolygonF:
+    """Points as Qt takes them."""
     return QtGui.QPolygonF([QtCore.QPointF(x, y) for x, y in points])

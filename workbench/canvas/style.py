@@ -1,7 +1,8 @@
 """Colours and sizes of what is drawn over the photo; sizes in screen px, whatever the zoom.
 
 The language is that of FreeCAD's Sketcher: what is annotated is red, what is traced to help is
-dashed. Lines are blue with a white casing, so that they read on light and dark photos alike.
+dashed, what is selected is cyan. Lines are blue with a white casing, so that they read on light
+and dark photos alike.
 """
 
 from __future__ import annotations
@@ -13,6 +14,12 @@ VERTEX = "#ffffff"
 GROUND = "#1f9d3a"
 HOVER = "#ffd21f"
 ANNOTATION = "#d8281c"
+SELECTED = "#00c2d1"
+SNAP = "#e0790b"
+HOVER_LINE = "#e0a800"
+LOOSE = "#ff8c00"
+CONFLICT = "#ff0022"
+TEXT = "#2e3436"
 LEFT_OUT = "#1769c9"
 OUTSIDE = "#5c6066"
 
@@ -29,9 +36,17 @@ ARROW_PX = 6.0
 MARK_SPACING_PX = 5.0
 PLAQUE_DISTANCE_PX = 7.0
 TEXT_PX = 12
+INVITATION_PX = 16
+HALO_PX = 9.0
+"""Of the bands behind edges that are lit or selected."""
+CONFLICT_PX = 12.0
+"""Of the bands behind edges of which annotations say what cannot be."""
+SNAP_PX = 7.0
 
 #: A vertex is grabbed within this distance of the pointer.
 REACH_PX = 9.0
 CASING_ALPHA = 225
+BOX_ALPHA = 40
+CONFLICT_ALPHA = 190
 LEFT_OUT_ALPHA = 70
 """Of the hatching over faces left out; 255 is opaque."""

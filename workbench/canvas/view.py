@@ -1,15 +1,19 @@
-"""The sketch over its photo: shown, and its vertices dragged."""
+"""The sketch over its photo: shown, drawn and annotated with the tools."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from . import overlay, style, symbols
-from .editing import move_vertex
-from .hit_testing import vertex_at
+from . import keys, overlay, previews, style, symbols
+from .drawing import Drawing, Listener
+from .length_editor import LengthEditor
+from .lengths import exact_text
 from .marks import marks_of
 from .photo_view import PhotoView
 from .qt import QtCore, QtGui
+from .tools import KEYS
+from .tools.base import Pointer
 
 if TYPE_CHECKING:
     from ...solver.graph import Point, SketchGraph
@@ -29,11 +33,17 @@ class SketchView(PhotoView):
         A person changed the sketch: the new SketchGraph, and words for the undo list.
     undo_asked(), redo_asked()
         The keys for it were pressed here; the graph itself has no history.
+    tool_changed(str)
+        Another tool is at work: its name.
+    hint_changed(str)
+        What to do next, in one line.
     """
 
     graph_edited = QtCore.Signal(object, str)
     undo_asked = QtCore.Signal()
     redo_asked = QtCore.Signal()
+    tool_changed = QtCore.Signal(str)
+    hint_changed = QtCore.Signal(str)
 
     def __init__(
         self,
@@ -42,29 +52,61 @@ class SketchView(PhotoView):
         parent: QtGui.QWidget | None = None,
     ) -> None:
         super().__init__(parent)
-        self._hovered: str | None = None
-        self._dragged: str | None = None
-        self._grip = QtCore.QPointF()
-        self.set_graph(graph)
+        #: What is said in the middle of an empty sketch.
+        self.invitation = ""
+        self._findings = overlay.Findings()
+        self._hint = ""
+        listener = Listener(self.graph_edited.emit, self._refresh, self._ask_for_length)
+        self._drawing = Drawing(graph, listener)
+        self._editor = LengthEditor(self.viewport(), self._drawing.set_length)
+        self._refresh()
         self.set_photo(image, sketch_size(graph))
 
     @property
     def graph(self) -> SketchGraph:
         """The graph that is shown, in the middle of a drag too."""
-        return self._graph
+        return self._drawing.graph
 
     def set_graph(self, graph: SketchGraph) -> None:
         """Show another graph; ends a drag that is going on."""
-        self._graph = self._before = graph
-        self._marks = marks_of(graph)
-        self._dragged = None
-        if self._hovered not in graph.vertices:
-            self._hovered = None
+        self._drawing.replace_graph(graph)
+
+    def set_findings(self, loose: tuple[str, ...], conflicts: tuple[str, ...]) -> None:
+        """Show which vertices are not held yet, and which annotations disagree."""
+        self._findings = overlay.Findings(frozenset(loose), frozenset(conflicts))
         self.viewport().update()
+
+    @property
+    def findings(self) -> overlay.Findings:
+        """Which vertices are not held yet, and which annotations disagree."""
+        return self._findings
+
+    @property
+    def tool_name(self) -> str:
+        """The tool at work."""
+        return self._drawing.tool.NAME
+
+    @property
+    def hint(self) -> str:
+        """What to do next, in one line."""
+        return self._drawing.tool.hint
+
+    def use_tool(self, name: str) -> None:
+        """Take another tool."""
+        self._editor.close_unsaid()
+        self._telling_of_the_tool(lambda: self._drawing.use(name))
+
+    def _refresh(self) -> None:
+        """Something to be seen has changed."""
+        self.show_cursor()
+        self.viewport().update()
+        if self._hint != self.hint:
+            self._hint = self.hint
+            self.hint_changed.emit(self._hint)
 
     def drawForeground(self, painter: QtGui.QPainter, area: QtCore.QRectF) -> None:  # noqa: N802
         """Paint the sketch, in screen px."""
-        graph = self._graph
+        graph = self.graph
         screen = {v: self._on_screen(point) for v, point in graph.vertices.items()}
         circles = {
             c: symbols.ellipse(
@@ -74,8 +116,13 @@ class SketchView(PhotoView):
         }
         painter.save()
         painter.resetTransform()
-        scene = overlay.Scene(graph, self._marks, screen, circles, self._hovered)
+        scene = overlay.Scene(graph, marks_of(graph), screen, circles, self._findings)
+        work = previews.Work(self._drawing.preview, self._drawing.selection, self._on_screen)
+        previews.paint_below(painter, scene, work)
         overlay.paint(painter, scene)
+        previews.paint_above(painter, scene, work)
+        if not graph.vertices and not graph.circles and not work.preview.strokes:
+            previews.paint_invitation(painter, self.viewport().rect(), self.invitation)
         painter.restore()
 
     def _on_screen(self, point_px: Point) -> Point:
@@ -85,100 +132,88 @@ class SketchView(PhotoView):
     # Mouse
 
     def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:  # noqa: N802  Qt's names
-        """Take hold of a vertex, or of the photo."""
+        """Take hold of the photo, or let the tool work; the right button ends what was begun."""
         super().mousePressEvent(event)
+        self._editor.close_unsaid()
         if event.button() == _Qt.LeftButton and not self.is_panning:
-            self._take_hold(event.pos())
+            self._drawing.press(self._pointer(event))
+        elif event.button() == _Qt.RightButton:
+            self._drawing.finish()
 
     def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:  # noqa: N802
-        """Pan, drag, or light up what is under the pointer."""
+        """Pan, or let the tool follow."""
         super().mouseMoveEvent(event)
-        if self._dragged is not None:
-            self._drag_to(event.pos())
-        elif not self.is_panning:
-            self._hover(event.pos())
+        if not self.is_panning:
+            self._drawing.move(self._pointer(event))
 
     def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:  # noqa: N802
-        """Let go; a vertex that was moved is an edit."""
+        """Let go of the photo, or let the tool end."""
+        was_panning = self.is_panning
         super().mouseReleaseEvent(event)
-        if self._dragged is not None and event.button() == _Qt.LeftButton:
-            self._let_go()
+        if event.button() == _Qt.LeftButton and not was_panning:
+            self._drawing.release(self._pointer(event))
 
     def cursor_shape(self) -> _Qt.CursorShape:
-        """See `PhotoView.cursor_shape`; a vertex can be moved."""
+        """See `PhotoView.cursor_shape`; a cross draws, what can be moved says so."""
         shape = super().cursor_shape()
-        on_vertex = self._hovered is not None and shape == _Qt.ArrowCursor
-        return _Qt.SizeAllCursor if on_vertex else shape
+        if shape != _Qt.ArrowCursor:
+            return shape
+        tool = self._drawing.tool
+        return _Qt.SizeAllCursor if tool.can_move else _Qt.CrossCursor if tool.CROSS else shape
 
-    def _vertex_under(self, pos: QtCore.QPoint) -> str | None:
-        point = self.mapToScene(pos)
-        return vertex_at(self._graph, (point.x(), point.y()), style.REACH_PX / self.zoom)
-
-    def _hover(self, pos: QtCore.QPoint) -> None:
-        found = self._vertex_under(pos)
-        if found != self._hovered:
-            self._hovered = found
-            self.show_cursor()
-            self.viewport().update()
-
-    def _take_hold(self, pos: QtCore.QPoint) -> None:
-        vertex = self._vertex_under(pos)
-        if vertex is None:
-            return
-        self._before = self._graph
-        self._dragged = self._hovered = vertex
-        # Where in the handle it was taken: without this the vertex would jump to the pointer.
-        self._grip = QtCore.QPointF(*self._graph.vertices[vertex]) - self.mapToScene(pos)
-
-    def _drag_to(self, pos: QtCore.QPoint) -> None:
-        point = self.mapToScene(pos) + self._grip
-        self._graph = move_vertex(self._before, self._dragged, (point.x(), point.y()))
-        self.viewport().update()
-
-    def _let_go(self) -> None:
-        vertex, self._dragged = self._dragged, None
-        if self._graph.vertices[vertex] != self._before.vertices[vertex]:
-            self.graph_edited.emit(self._graph, "Move vertex")
+    def _pointer(self, event: QtGui.QMouseEvent) -> Pointer:
+        point = self.mapToScene(event.pos())
+        adding = bool(event.modifiers() & (_Qt.ShiftModifier | _Qt.ControlModifier))
+        return Pointer((point.x(), point.y()), style.REACH_PX / self.zoom, adding)
 
     # Keys
 
     def event(self, event: QtCore.QEvent) -> bool:
         """Claim our keys before FreeCAD's shortcuts: Delete would delete the selected object."""
-        if event.type() == QtCore.QEvent.ShortcutOverride and _is_ours(event):
+        if event.type() == QtCore.QEvent.ShortcutOverride and keys.meaning(event):
             event.accept()
             return True
         return super().event(event)
 
     def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:  # noqa: N802
-        """Undo, redo, Escape to give up a drag; else see `PhotoView`."""
-        if event.matches(QtGui.QKeySequence.Undo):
-            self.undo_asked.emit()
-        elif _is_redo(event):
-            self.redo_asked.emit()
-        elif event.key() == _Qt.Key_Escape and self._dragged is not None:
-            self.set_graph(self._before)
-        else:
+        """Do what a key means; for zooming and panning see `PhotoView`."""
+        meaning = keys.meaning(event)
+        if meaning in KEYS:
+            self.use_tool(KEYS[meaning])
+            return
+        action = {
+            "undo": self.undo_asked.emit,
+            "redo": self.redo_asked.emit,
+            "escape": self._escape,
+            "enter": self._drawing.finish,
+            "delete": self._drawing.delete,
+            "all": self._select_all,
+            "construction": self._drawing.toggle_construction,
+        }.get(meaning)
+        if action is None:
             super().keyPressEvent(event)
+        else:
+            action()
 
+    def _escape(self) -> None:
+        self._telling_of_the_tool(self._drawing.escape)
 
-def _is_redo(event: QtGui.QKeyEvent) -> bool:
-    """The system's own key for it, or Ctrl+Y, which many expect."""
-    ctrl_y = event.key() == _Qt.Key_Y and event.modifiers() == _Qt.ControlModifier
-    return ctrl_y or event.matches(QtGui.QKeySequence.Redo)
+    def _select_all(self) -> None:
+        self._telling_of_the_tool(self._drawing.select_all)
 
+    def _telling_of_the_tool(self, action: Callable[[], None]) -> None:
+        """Do what may take another tool."""
+        before = self.tool_name
+        action()
+        if self.tool_name != before:
+            self.tool_changed.emit(self.tool_name)
 
-def _is_ours(event: QtGui.QKeyEvent) -> bool:
-    if event.matches(QtGui.QKeySequence.Undo) or _is_redo(event):
-        return True
-    ours = (
-        _Qt.Key_Space,
-        _Qt.Key_F,
-        _Qt.Key_Home,
-        _Qt.Key_Escape,
-        _Qt.Key_Delete,
-        _Qt.Key_Backspace,
-    )
-    return event.key() in ours and event.modifiers() == _Qt.NoModifier
+    def _ask_for_length(self, edge: str) -> None:
+        v, w = self.graph.edges[edge]
+        (x1, y1), (x2, y2) = (self._on_screen(self.graph.vertices[end]) for end in (v, w))
+        lengths = self.graph.annotations_of("length").values()
+        said = next((exact_text(a.length_mm) for a in lengths if a.edge == edge), "")
+        self._editor.open(edge, said, QtCore.QPoint(round((x1 + x2) / 2), round((y1 + y2) / 2)))
 
 
 def sketch_size(graph: SketchGraph) -> tuple[float, float]:

@@ -25,8 +25,12 @@ class Lift(Command):
 
     def run(self) -> None:
         """See the class."""
+        from ..panels.view_3d import look_from_the_camera
+
         model = lift(chosen(is_photo_sketch, "a photo sketch"))
         reveal(model.Document)
+        if not model.Shape.isNull():
+            look_from_the_camera(model)
 
 
 def lift(photo_sketch: Any) -> Any:

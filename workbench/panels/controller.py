@@ -16,6 +16,7 @@ from .sketch_tab import SketchTab
 
 if TYPE_CHECKING:
     from ...solver.graph import SketchGraph
+    from ...solver.solution import Solution
     from ..canvas.qt import QtGui
 
 
@@ -70,13 +71,36 @@ class SketchController:
 
     def show_outcome(self) -> None:
         """Say in the tab's bar how the last recompute of what depends on the sketch went."""
+        solution = self._solution()
+        self._show_findings(solution)
         objects = [self.obj, *_dependents(self.obj)]
-        bad = [o for o in objects if o.Status not in ("", "ready", "converged", "made")]
+        bad = [o.Message for o in objects if o.Status not in ("", "ready", "converged", "made")]
+        if not bad and solution is not None and solution.status.value != "converged":
+            bad = [solution.message]
         if bad:
-            self.tab.show_outcome(bad[0].Message, good=False)
+            self.tab.show_outcome(bad[0], good=False)
+            return
+        words = [o.Message for o in objects[1:]]
+        if not words:
+            words = [self.obj.Message if solution is None else solution.message]
+        joined = " \N{MIDDLE DOT} ".join(w.rstrip(".") for w in words if w)
+        self.tab.show_outcome(joined, good=True)
+
+    def _solution(self) -> Solution | None:
+        """The sketch lifted to 3D, also before there is an object for it; None for no edges."""
+        try:
+            if not pipeline.graph_of(self.obj.Sketch).edges:
+                return None
+            return pipeline.solution_of(self.obj.Sketch)
+        except known_problems():
+            # The photo sketch itself says it, in its message.
+            return None
+
+    def _show_findings(self, solution: Solution | None) -> None:
+        if solution is None:
+            self.tab.view.set_findings((), ())
         else:
-            words = [o.Message.rstrip(".") for o in objects[1:] or objects]
-            self.tab.show_outcome(" \N{MIDDLE DOT} ".join(filter(None, words)), good=True)
+            self.tab.view.set_findings(solution.report.loose, solution.report.conflicts)
 
 
 def _dependents(obj: Any) -> list[Any]:

@@ -1,4 +1,4 @@
-"""The tab of a photo sketch: the photo, and a bar that says how the solve went."""
+"""The tab of a photo sketch: the photo, what to do next, and how the solve went."""
 
 from __future__ import annotations
 
@@ -16,10 +16,11 @@ _Qt = QtCore.Qt
 GOOD, BAD = "#1f9d3a", "#d8281c"
 #: The photo's slider: how faint and how strong the photo can be, per cent.
 STRENGTH_RANGE = (15, 100)
+INVITATION = "Draw the new object over the photo: press L for lines, R for rectangles"
 
 
 class SketchTab(QtGui.QWidget):
-    """Photo and sketch above, outcome, photo strength and zoom below."""
+    """Photo and sketch above; hint, outcome, photo strength and zoom below."""
 
     def __init__(self, graph: SketchGraph, image: QtGui.QImage | None, title: str) -> None:
         super().__init__()
@@ -27,16 +28,23 @@ class SketchTab(QtGui.QWidget):
         self._light = QtGui.QLabel()
         self._light.setFixedSize(10, 10)
         self._words = QtGui.QLabel()
+        self._hint = QtGui.QLabel()
+        self._hint.setContentsMargins(8, 3, 8, 0)
+        self._hint.setSizePolicy(QtGui.QSizePolicy.Ignored, QtGui.QSizePolicy.Preferred)
         # A long message is cut off rather than making the window wider.
         self._words.setSizePolicy(QtGui.QSizePolicy.Ignored, QtGui.QSizePolicy.Preferred)
         layout = QtGui.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(0)
         layout.addWidget(self.view, 1)
+        layout.addWidget(self._hint)
         layout.addWidget(self._bar())
         self.setFocusProxy(self.view)
         self.setWindowTitle(title)
         self.setWindowIcon(QtGui.QIcon(host.icon("InContext_PhotoSketch")))
+        self.view.invitation = host.translate("InContext", INVITATION)
+        self.view.hint_changed.connect(self.show_hint)
+        self.show_hint(self.view.hint)
         self.show_outcome("", good=True)
 
     def _bar(self) -> QtGui.QWidget:
@@ -71,6 +79,15 @@ class SketchTab(QtGui.QWidget):
         button.setToolTip(host.translate("InContext", "Show the whole photo (F)"))
         button.clicked.connect(self.view.fit)
         return button
+
+    @property
+    def outcome(self) -> str:
+        """What is said of the last solve."""
+        return self._words.text()
+
+    def show_hint(self, words: str) -> None:
+        """Say what to do next."""
+        self._hint.setText(host.translate("InContext", words))
 
     def show_outcome(self, words: str, *, good: bool) -> None:
         """Say how the last solve went."""

@@ -41,6 +41,15 @@ def open_tabs() -> tuple[SketchController, ...]:
     return tuple(_open.values())
 
 
+def active_tab() -> SketchController | None:
+    """The tab at the front, if it is one of ours."""
+    front = mdi_area().activeSubWindow()
+    for controller in open_tabs():
+        if front is not None and subwindow_of(controller.tab) is front:
+            return controller
+    return None
+
+
 def mdi_area() -> QtGui.QMdiArea:
     """The part of FreeCAD's window that holds the tabs."""
     return FreeCADGui.getMainWindow().findChild(QtGui.QMdiArea)
@@ -68,6 +77,16 @@ def _add_to_window(controller: SketchController) -> None:
         subwindow.show()
     key = _key(controller.obj)
     controller.tab.destroyed.connect(lambda *_: _forget(key, controller))
+    _keep_buttons_right(controller)
+
+
+def _keep_buttons_right(controller: SketchController) -> None:
+    """Have the toolbar show the tool at work, whichever tab is at the front."""
+    from .tool_buttons import show_active_tool
+
+    controller.tab.view.tool_changed.connect(show_active_tool)
+    if not _OBSERVER.started:
+        mdi_area().subWindowActivated.connect(show_active_tool)
 
 
 def _forget(key: _Key, controller: SketchController) -> None:
@@ -116,13 +135,13 @@ class _Observer:
     """Hears of changes in documents; FreeCAD calls these by name."""
 
     def __init__(self) -> None:
-        self._started = False
+        self.started = False
 
     def start(self) -> None:
         """Begin to listen; only once a tab is there."""
-        if not self._started:
+        if not self.started:
             FreeCAD.addDocumentObserver(self)
-            self._started = True
+            self.started = True
 
     def slotChangedObject(self, obj: Any, name: str) -> None:  # noqa: N802
         """A property changed, by a person, a script, undo or redo."""

@@ -1,0 +1,188 @@
+"""The state of drawing, without Qt: the graph, what is selected, the tool at work.
+
+Terms
+-----
+committed
+    The graph as the document has it; between press and release the shown graph may differ.
+hint
+    One line that says what to do next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from ...solver.annotating import set_length
+from ...solver.editing import delete, toggle_construction
+from ...solver.graph import SketchGraph
+from .preview import Preview, Selection
+from .tools import TOOLS
+from .tools.base import Pointer, Tool
+
+
+def _nothing(*_: object) -> None:
+    """Nobody listens."""
+
+
+@dataclass(slots=True)
+class Listener:
+    """Who is told: of an edit, of anything to be painted anew, of a length to be asked for."""
+
+    edited: Callable[[SketchGraph, str], None] = _nothing
+    changed: Callable[[], None] = _nothing
+    length_wanted: Callable[[str], None] = _nothing
+
+
+class Drawing:
+    """What the tools work on.
+
+    Parameters
+    ----------
+    graph : SketchGraph
+    listener : Listener
+    """
+
+    def __init__(self, graph: SketchGraph, listener: Listener) -> None:
+        self._listener = listener
+        self._committed = self._graph = graph
+        self._selection = Selection()
+        self._pointer: Pointer | None = None
+        self._tool: Tool = TOOLS["select"](self)
+
+    @property
+    def graph(self) -> SketchGraph:
+        """The graph as it is shown, in the middle of a drag too."""
+        return self._graph
+
+    @property
+    def committed(self) -> SketchGraph:
+        """The graph as the document has it."""
+        return self._committed
+
+    def replace_graph(self, graph: SketchGraph) -> None:
+        """Take the document's graph; one that is not ours ends what the tool is doing."""
+        ours = graph == self._committed and self._graph is self._committed
+        self._committed = self._graph = graph
+        self.select(self._selection)
+        if not ours:
+            self._tool.graph_replaced()
+        self._listener.changed()
+
+    # For tools
+
+    def show(self, graph: SketchGraph) -> None:
+        """Show a graph that is not committed yet."""
+        self._graph = graph
+        self._listener.changed()
+
+    def give_up(self) -> None:
+        """Show the committed graph again."""
+        self.show(self._committed)
+
+    def commit(self, graph: SketchGraph, words: str) -> None:
+        """Make a graph the document's; `words` name the step in the undo list."""
+        changed = graph != self._committed
+        self._graph = graph
+        if changed:
+            self._committed = graph
+            self._listener.edited(graph, words)
+        self._listener.changed()
+
+    @property
+    def selection(self) -> Selection:
+        """What is selected."""
+        return self._selection
+
+    def select(self, selection: Selection) -> None:
+        """Select something else; what is not there is left out."""
+        self._selection = Selection(
+            selection.vertices & set(self._graph.vertices), selection.edges & set(self._graph.edges)
+        )
+        self._listener.changed()
+
+    def ask_for_length(self, edge: str) -> None:
+        """Have a person asked for an edge's length."""
+        self._listener.length_wanted(edge)
+
+    # For the view
+
+    @property
+    def tool(self) -> Tool:
+        """The tool at work."""
+        return self._tool
+
+    def use(self, name: str) -> None:
+        """Take another tool; what the old one had begun is finished where that makes sense."""
+        self._tool.finish()
+        self._tool.cancel()
+        if name != self._tool.NAME:
+            self.select(Selection())
+        self._tool = TOOLS[name](self)
+        if self._pointer is not None:
+            self._tool.move(self._pointer)
+        self._listener.changed()
+
+    @property
+    def preview(self) -> Preview:
+        """What the tool shows."""
+        return self._tool.preview()
+
+    def press(self, pointer: Pointer) -> None:
+        """The left button goes down."""
+        self.move(pointer)
+        self._tool.press(pointer)
+        self._listener.changed()
+
+    def move(self, pointer: Pointer) -> None:
+        """The pointer moves."""
+        self._pointer = pointer
+        before = (self.preview, self._graph)
+        self._tool.move(pointer)
+        if (self.preview, self._graph) != before:
+            self._listener.changed()
+
+    def release(self, pointer: Pointer) -> None:
+        """The left button goes up."""
+        self._tool.release(pointer)
+        self._listener.changed()
+
+    def finish(self) -> None:
+        """Enter or the right button: done with what was begun."""
+        self._tool.finish()
+        self._listener.changed()
+
+    def escape(self) -> None:
+        """Give up what was begun; where nothing was, go back to selecting, then select nothing."""
+        if not self._tool.cancel():
+            if self._tool.NAME != "select":
+                self.use("select")
+            else:
+                self.select(Selection())
+        self._listener.changed()
+
+    def delete(self) -> None:
+        """Take away what is selected."""
+        chosen = self._selection
+        if chosen and self._graph is self._committed:
+            smaller = delete(self._graph, vertices=chosen.vertices, edges=chosen.edges)
+            self.select(Selection())
+            self.commit(smaller, "Delete")
+            # It may have been at work on just that.
+            self._tool.graph_replaced()
+
+    def select_all(self) -> None:
+        """Select everything, with the tool for it."""
+        self.use("select")
+        self.select(Selection(frozenset(self._graph.vertices), frozenset(self._graph.edges)))
+
+    def toggle_construction(self) -> None:
+        """Make the selected edges construction, or part of the object again."""
+        if self._selection.edges and self._graph is self._committed:
+            edges = sorted(self._selection.edges)
+            self.commit(toggle_construction(self._graph, edges), "Change construction")
+
+    def set_length(self, edge: str, length_mm: float | None) -> None:
+        """Say how long an edge is."""
+        if edge in self._committed.edges:
+            self.commit(set_length(self._committed, edge, length_mm), "Set length")

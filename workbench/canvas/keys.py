@@ -1,0 +1,37 @@
+"""What keys mean over the sketch."""
+
+from __future__ import annotations
+
+from .qt import QtCore, QtGui
+from .tools import KEYS
+
+_Qt = QtCore.Qt
+
+#: Without Shift, Ctrl or Alt.
+_PLAIN = {
+    _Qt.Key_Escape: "escape",
+    _Qt.Key_Return: "enter",
+    _Qt.Key_Enter: "enter",
+    _Qt.Key_Delete: "delete",
+    _Qt.Key_Backspace: "delete",
+    _Qt.Key_X: "construction",
+    _Qt.Key_Space: "pan",
+    _Qt.Key_F: "fit",
+    _Qt.Key_Home: "fit",
+    **{getattr(_Qt, f"Key_{letter}"): letter for letter in KEYS},
+}
+
+
+def meaning(event: QtGui.QKeyEvent) -> str:
+    """What a key means, a tool's letter for a tool; nothing where it is not ours."""
+    if event.matches(QtGui.QKeySequence.Undo):
+        return "undo"
+    # The system's own key for it, or Ctrl+Y, which many expect.
+    control = event.modifiers() == _Qt.ControlModifier
+    if event.matches(QtGui.QKeySequence.Redo) or (control and event.key() == _Qt.Key_Y):
+        return "redo"
+    if event.matches(QtGui.QKeySequence.SelectAll):
+        return "all"
+    # The number pad's Enter says that it lies there.
+    plain = event.modifiers() in (_Qt.NoModifier, _Qt.KeypadModifier)
+    return _PLAIN.get(event.key(), "") if plain else ""

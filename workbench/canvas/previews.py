@@ -1,0 +1,110 @@
+"""Paints what a tool shows besides the graph: lit and selected parts, rubber bands, snaps."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from . import style, symbols
+from .overlay import Scene, polygon, stroke
+from .qt import QtCore, QtGui
+from .snapping import SnapKind
+
+if TYPE_CHECKING:
+    from .preview import Preview, Selection
+    from .symbols import Point
+
+_Qt = QtCore.Qt
+
+
+@dataclass(frozen=True, slots=True)
+class Work:
+    """What is at work: a tool's preview, the selection, and the way from photo to screen."""
+
+    preview: Preview
+    selection: Selection
+    on_screen: Callable[[Point], Point]
+
+
+def paint_below(painter: QtGui.QPainter, scene: Scene, work: Work) -> None:
+    """Paint halos behind edges that are lit or selected."""
+    painter.setRenderHint(QtGui.QPainter.Antialiasing)
+    _halos(painter, scene, work.preview.lit.edges, style.HOVER)
+    _halos(painter, scene, work.selection.edges, style.SELECTED)
+
+
+def _halos(painter: QtGui.QPainter, scene: Scene, edges: frozenset[str], colour: str) -> None:
+    pen = QtGui.QPen(QtGui.QColor(colour), style.HALO_PX)
+    pen.setCapStyle(_Qt.RoundCap)
+    painter.setPen(pen)
+    for edge in edges & set(scene.graph.edges):
+        painter.drawPolyline(polygon(scene.ends(edge)))
+
+
+def paint_above(painter: QtGui.QPainter, scene: Scene, work: Work) -> None:
+    """Paint all the rest."""
+    _vertices(painter, scene, work.selection.vertices, style.SELECTED)
+    _vertices(painter, scene, work.preview.lit.vertices, style.HOVER)
+    bands = [[work.on_screen(p) for p in line] for line in work.preview.strokes]
+    stroke(painter, bands, style.EDGE, style.EDGE_PX, dashed=True)
+    _corners(painter, scene, work.preview)
+    if work.preview.box is not None:
+        _box(painter, [work.on_screen(p) for p in work.preview.box])
+    if work.preview.snap is not None:
+        _snap(painter, work.preview.snap.kind, work.on_screen(work.preview.snap.point_px))
+
+
+def _vertices(painter: QtGui.QPainter, scene: Scene, vertices: frozenset[str], colour: str) -> None:
+    painter.setPen(QtGui.QPen(QtGui.QColor(style.EDGE), 1.5))
+    painter.setBrush(QtGui.QColor(colour))
+    for vertex in vertices & set(scene.screen):
+        centre = QtCore.QPointF(*scene.screen[vertex])
+        painter.drawEllipse(centre, style.HOVER_RADIUS_PX, style.HOVER_RADIUS_PX)
+
+
+def _corners(painter: QtGui.QPainter, scene: Scene, preview: Preview) -> None:
+    # What was deleted meanwhile has no place.
+    there = [corner for corner in preview.corners if set(corner) <= set(scene.screen)]
+    points = [[scene.screen[v] for v in corner] for corner in there]
+    squares = [symbols.right_angle(*three, 1.3 * style.RIGHT_ANGLE_PX) for three in points]
+    stroke(painter, squares, style.HOVER_LINE, 2 * style.SYMBOL_PX)
+
+
+def _box(painter: QtGui.QPainter, corners: list[Point]) -> None:
+    fill = QtGui.QColor(style.SELECTED)
+    fill.setAlpha(style.BOX_ALPHA)
+    painter.setPen(QtGui.QPen(QtGui.QColor(style.EDGE), 1, _Qt.DashLine))
+    painter.setBrush(fill)
+    painter.drawRect(QtCore.QRectF(*(QtCore.QPointF(*corner) for corner in corners)).normalized())
+
+
+def _snap(painter: QtGui.QPainter, kind: SnapKind, place: Point) -> None:
+    """A ring on a vertex, a triangle on a midpoint, a cross on an edge."""
+    x, y = place
+    r = style.SNAP_PX
+    marks = {
+        SnapKind.VERTEX: [symbols.ellipse(((x - r, y), (x + r, y)), ((x, y - r), (x, y + r)))],
+        SnapKind.MIDPOINT: [((x - r, y + r), (x, y - r), (x + r, y + r), (x - r, y + r))],
+        SnapKind.EDGE: [((x - r, y - r), (x + r, y + r)), ((x - r, y + r), (x + r, y - r))],
+    }
+    stroke(painter, marks.get(kind, []), style.SNAP, style.EDGE_PX)
+
+
+def paint_invitation(painter: QtGui.QPainter, area: QtCore.QRect, words: str) -> None:
+    """Say in the middle of an empty sketch what to do."""
+    if not words:
+        return
+    font = painter.font()
+    font.setPixelSize(style.INVITATION_PX)
+    painter.setFont(font)
+    room = area.adjusted(24, 24, -24, -24)
+    flags = _Qt.AlignCenter | _Qt.TextWordWrap
+    plaque = painter.boundingRect(room, flags, words).adjusted(-14, -8, 14, 8)
+    fill = QtGui.QColor(style.CASING)
+    fill.setAlpha(style.CASING_ALPHA)
+    painter.setPen(_Qt.NoPen)
+    painter.setBrush(fill)
+    painter.drawRoundedRect(plaque, 6, 6)
+    painter.setPen(QtGui.QColor(style.TEXT))
+    painter.drawText(room, flags, words)

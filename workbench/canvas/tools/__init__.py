@@ -1,0 +1,31 @@
+"""What a person draws and annotates with: one tool a file, all of them in TOOLS."""
+
+from __future__ import annotations
+
+from .base import Tool
+from .equal_length import EqualLengthTool
+from .ground import GroundTool
+from .length import LengthTool
+from .line import LineTool
+from .parallel import ParallelTool
+from .rectangle import RectangleTool
+from .right_angle import RightAngleTool
+from .select import SelectTool
+
+#: By name, in the toolbar's order.
+TOOLS: dict[str, type[Tool]] = {
+    tool.NAME: tool
+    for tool in (
+        SelectTool,
+        LineTool,
+        RectangleTool,
+        RightAngleTool,
+        ParallelTool,
+        EqualLengthTool,
+        GroundTool,
+        LengthTool,
+    )
+}
+
+#: The tool of each key.
+KEYS: dict[str, str] = {tool.KEY: name for name, tool in TOOLS.items()}

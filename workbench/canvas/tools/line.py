@@ -1,0 +1,50 @@
+"""Lines: click after click, or one a drag."""
+
+from __future__ import annotations
+
+import math
+
+from ....solver.editing import add_edge
+from ..preview import Preview
+from ..snapping import Snap, SnapKind, place
+from .base import DRAG, TwoPointTool
+
+
+class LineTool(TwoPointTool):
+    """Draws edges; each click goes on from the last one."""
+
+    NAME = "line"
+    KEY = "L"
+    TITLE = "Line"
+
+    @property
+    def hint(self) -> str:
+        """See `Tool`."""
+        if self._start is None:
+            return "Click the start of the line, or drag"
+        return "Click the end of the line; Esc or right click to stop"
+
+    def preview(self) -> Preview:
+        """See `Tool`."""
+        if self._start is None or self._end is None:
+            return Preview(snap=self._end)
+        return Preview(strokes=((self._start.point_px, self._end.point_px),), snap=self._end)
+
+    def graph_replaced(self) -> None:
+        """See `Tool`: goes on drawing if the start is still there."""
+        on_vertex = self._start is not None and self._start.kind is SnapKind.VERTEX
+        if on_vertex and self._start.target not in self.drawing.graph.vertices:
+            self.cancel()
+
+    def _draw(self) -> None:
+        graph, v = place(self.drawing.committed, self._start)
+        graph, w = place(graph, self._end)
+        if v == w or math.dist(graph.vertices[v], graph.vertices[w]) < DRAG * self._reach_px:
+            # Twice at one place: done.
+            self._start = None
+            return
+        was_there = self._end.kind is SnapKind.VERTEX
+        graph, _ = add_edge(graph, v, w)
+        self.drawing.commit(graph, "Draw line")
+        # Where a line comes back to the drawing, a loop is closed as a rule.
+        self._start = None if was_there else Snap(SnapKind.VERTEX, graph.vertices[w], w)

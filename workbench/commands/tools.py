@@ -1,0 +1,153 @@
+"""The drawing tools as commands: one class a tool, all of them in TOOL_COMMANDS."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from .. import host
+from ..features.photo_sketch import is_photo_sketch
+from .base import Command
+from .choosing import chosen, objects_of
+
+
+class ToolCommand(Command):
+    """Takes a tool in the tab at the front, or in the tab of the chosen sketch.
+
+    The tools' keys are the tab's own and no shortcuts of FreeCAD's: a single letter must not draw
+    while a person works elsewhere. So the tooltips name them.
+    """
+
+    TOOL: ClassVar[str]
+    KEY: ClassVar[str]
+
+    def GetResources(self) -> dict[str, str | bool]:  # noqa: N802  FreeCAD's names
+        """See `Command`; the button of the tool at work is down."""
+        resources = super().GetResources()
+        in_sketch = host.translate("InContext", "key {} in the sketch")
+        resources["ToolTip"] += f" ({in_sketch.format(self.KEY)})"
+        return {**resources, "Checkable": False}
+
+    def IsActive(self) -> bool:  # noqa: N802
+        """With a photo sketch in the document."""
+        return bool(objects_of(is_photo_sketch))
+
+    def run(self) -> None:
+        """See the class."""
+        from ..panels.tabs import active_tab, show_tab
+        from ..panels.tool_buttons import show_active_tool
+
+        try:
+            controller = active_tab() or show_tab(chosen(is_photo_sketch, "a photo sketch"))
+            controller.tab.view.use_tool(self.TOOL)
+            controller.tab.view.setFocus()
+        finally:
+            # The press has turned the button over, whatever came of it.
+            show_active_tool()
+
+
+class Select(ToolCommand):
+    """Select and move."""
+
+    NAME = "InContext_ToolSelect"
+    ICON = "InContext_ToolSelect"
+    TOOL, KEY = "select", "S"
+    MENU_TEXT = "Select"
+    TOOLTIP = "Click or box to select, drag to move; drop a vertex on another one to merge them"
+
+
+class Line(ToolCommand):
+    """Draw lines."""
+
+    NAME = "InContext_ToolLine"
+    ICON = "InContext_ToolLine"
+    TOOL, KEY = "line", "L"
+    MENU_TEXT = "Line"
+    TOOLTIP = "Draw straight edges, click after click or one with each drag"
+
+
+class Rectangle(ToolCommand):
+    """Draw rectangles."""
+
+    NAME = "InContext_ToolRectangle"
+    ICON = "InContext_ToolRectangle"
+    TOOL, KEY = "rectangle", "R"
+    MENU_TEXT = "Rectangle"
+    TOOLTIP = "One drag makes four edges and four right angles; move the corners afterwards"
+
+
+class RightAngle(ToolCommand):
+    """Mark right angles."""
+
+    NAME = "InContext_ToolRightAngle"
+    ICON = "InContext_ToolRightAngle"
+    TOOL, KEY = "right_angle", "A"
+    MENU_TEXT = "Right angle"
+    TOOLTIP = "Click an angle that is a right one, or inside a quadrilateral for all four"
+
+
+class Parallel(ToolCommand):
+    """Mark parallel edges."""
+
+    NAME = "InContext_ToolParallel"
+    ICON = "InContext_ToolParallel"
+    TOOL, KEY = "parallel", "P"
+    MENU_TEXT = "Parallel"
+    TOOLTIP = "Click edges that are parallel, then press Enter"
+
+
+class EqualLength(ToolCommand):
+    """Mark equally long edges."""
+
+    NAME = "InContext_ToolEqualLength"
+    ICON = "InContext_ToolEqualLength"
+    TOOL, KEY = "equal_length", "E"
+    MENU_TEXT = "Equal length"
+    TOOLTIP = "Click edges that are equally long, then press Enter"
+
+
+class Ground(ToolCommand):
+    """Mark what stands on the ground."""
+
+    NAME = "InContext_ToolGround"
+    ICON = "InContext_ToolGround"
+    TOOL, KEY = "ground", "G"
+    MENU_TEXT = "Ground"
+    TOOLTIP = "Click the vertices that stand on the ground, or drag a box around them"
+
+
+class Length(ToolCommand):
+    """Say how long an edge is."""
+
+    NAME = "InContext_ToolLength"
+    ICON = "InContext_ToolLength"
+    TOOL, KEY = "length", "D"
+    MENU_TEXT = "Length"
+    TOOLTIP = "Click an edge and type its length: 210, 21 cm or 3/4 in"
+
+
+TOOL_COMMANDS: tuple[type[ToolCommand], ...] = (
+    Select,
+    Line,
+    Rectangle,
+    RightAngle,
+    Parallel,
+    EqualLength,
+    Ground,
+    Length,
+)
+
+
+def register_tools() -> list[str]:
+    """Make the tools known to FreeCAD.
+
+    Returns
+    -------
+    list of str
+        Their names as toolbars and menus take them, with separators.
+    """
+    import FreeCADGui
+
+    for command in TOOL_COMMANDS:
+        FreeCADGui.addCommand(command.NAME, command())
+    names = [command.NAME for command in TOOL_COMMANDS]
+    return [*names[:3], "Separator", *names[3:]]

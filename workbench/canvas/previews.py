@@ -98,13 +98,14 @@ def paint_invitation(painter: QtGui.QPainter, area: QtCore.QRect, words: str) ->
     font = painter.font()
     font.setPixelSize(style.INVITATION_PX)
     painter.setFont(font)
-    room = area.adjusted(24, 24, -24, -24)
-    flags = _Qt.AlignCenter | _Qt.TextWordWrap
-    plaque = painter.boundingRect(room, flags, words).adjusted(-14, -8, 14, 8)
+    room = QtCore.QRectF(area).adjusted(24, 24, -24, -24)
+    # By option: PySide6 lets no flags of two kinds be joined.
+    centred = QtGui.QTextOption(_Qt.AlignCenter)
+    plaque = painter.boundingRect(room, words, centred).adjusted(-14, -8, 14, 8)
     fill = QtGui.QColor(style.CASING)
     fill.setAlpha(style.CASING_ALPHA)
     painter.setPen(_Qt.NoPen)
     painter.setBrush(fill)
     painter.drawRoundedRect(plaque, 6, 6)
     painter.setPen(QtGui.QColor(style.TEXT))
-    painter.drawText(room, flags, words)
+    painter.drawText(room, words, centred)

@@ -162,8 +162,10 @@ def _canonical(loop: list[int]) -> tuple[int, ...]:
 
 
 def _signed_area(polygon: Array) -> float:
-    x, y = polygon.T
-    return float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y)) / 2
+    # Plain numbers: most loops have four vertices, too few for arrays.
+    points = polygon.tolist()
+    ahead = points[1:] + points[:1]
+    return float(sum(x * v - u * y for (x, y), (u, v) in zip(points, ahead, strict=True))) / 2
 
 
 def _with_holes(

@@ -40,7 +40,6 @@ class Freedoms:
 
     count: int
     loose: tuple[str, ...]
-    focal_sigma: float
 
 
 def freedoms(full: FullProblem, x: Pose, names: list[str]) -> Freedoms:
@@ -61,7 +60,7 @@ def freedoms(full: FullProblem, x: Pose, names: list[str]) -> Freedoms:
     null = _null_space(stacked / scale) / scale
     count = max(0, len(null) - 1)
     loose = _loose(full, x, null, names) if count else ()
-    return Freedoms(count, loose, focal_sigma(full, x))
+    return Freedoms(count, loose)
 
 
 def _null_space(A: Array) -> Array:

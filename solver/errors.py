@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 
-class SketchError(ValueError):
-    """A sketch that cannot be used.
+class ReasonedError(ValueError):
+    """What is wrong, where, and what to try, in one line.
 
     Parameters
     ----------
@@ -33,6 +33,10 @@ class SketchError(ValueError):
         remedy = f"; try: {self.remedy}" if self.remedy else ""
         # One line for a terminal: names out of a file may hold line breaks.
         return " ".join(f"{self.what}{where}{remedy}".split())
+
+
+class SketchError(ReasonedError):
+    """A sketch that cannot be used."""
 
 
 class SketchFileError(SketchError, OSError):

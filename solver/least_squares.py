@@ -39,10 +39,6 @@ class Evaluation:
     H: Array
     G: Array
 
-    def merit(self, rho: float) -> float:
-        """|r|^2 + rho |h|^2."""
-        return float(self.r @ self.r + rho * (self.h @ self.h))
-
 
 class Objective(Protocol[X]):
     """A problem to minimise."""

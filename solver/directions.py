@@ -20,34 +20,42 @@ Everything here follows from annotations alone; the drawing is never asked. The 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 
-from .annotations import Annotation, Parallel, RightAngle, SymmetryPlane
-from .graph import SketchGraph
+import numpy as np
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+
+from .topology import Chains, Topology, chains
 from .union_find import UnionFind
-
-#: A tangle in which everything is joined to everything has more closed chains than can be looked
-#: at; an object has a few for each edge.
-MAX_CYCLES = 20_000
+from .values import IntArray
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Directions:
     """Classes of parallel edges.
 
     Parameters
     ----------
-    class_of : tuple of int
+    class_of : (m,) int array
         For each edge (in the graph's order) the class, named by its first edge.
     perpendicular : mapping of class to set of classes
     contradiction : bool
         True where a class came out perpendicular to itself.
     """
 
-    class_of: tuple[int, ...]
+    class_of: IntArray
     perpendicular: dict[int, frozenset[int]]
     contradiction: bool
+
+
+def first_members(pairs: IntArray, n: int) -> IntArray:
+    """Merge 0 ... n-1 as the pairs (k, 2) say; the smallest member of everyone's set, (n,)."""
+    ones = np.ones(len(pairs), dtype=np.int8)
+    graph = coo_array((ones, (pairs[:, 0], pairs[:, 1])), shape=(n, n))
+    _, labels = connected_components(graph, directed=False)
+    _, first, inverse = np.unique(labels, return_index=True, return_inverse=True)
+    return np.asarray(first[inverse.reshape(-1)], dtype=np.int64)
 
 
 class _Relations:
@@ -87,31 +95,22 @@ class _Relations:
         return any(i in others for i, others in self.perp.items())
 
 
-def direction_classes(
-    graph: SketchGraph, annotations: Iterable[Annotation] | None = None
-) -> Directions:
-    """Reason out the direction classes of a graph's edges.
-
-    Parameters
-    ----------
-    graph : SketchGraph
-    annotations : iterable of Annotation, optional
-        Those to use; by default all of the graph's.
-
-    Returns
-    -------
-    Directions
-    """
-    index = {id_: i for i, id_ in enumerate(graph.edges)}
-    said = tuple(graph.annotations.values() if annotations is None else annotations)
-    relations = _Relations(len(index))
-    corners = _say(relations, index, said)
-    quadrilaterals = _quadrilaterals(graph)
-    for cycle in quadrilaterals:
-        if all((cycle[k], cycle[k - 1]) in corners for k in range(4)):
-            relations.merge(cycle[0], cycle[2])
-            relations.merge(cycle[1], cycle[3])
-    planes = _triangles(graph) + _named_faces(graph, index)
+def direction_classes(topology: Topology) -> Directions:
+    """Reason out the direction classes of a graph's edges."""
+    n_edges = len(topology.edges)
+    closed = chains(topology)
+    corners = np.sort(topology.right_angles[:, 1:], axis=1)
+    parallel = _said_parallel(topology, closed, corners)
+    # Most edges are in few classes by now: the rules go on with classes alone.
+    merged = first_members(parallel, n_edges)
+    names, small = np.unique(merged, return_inverse=True)
+    small = small.reshape(-1)
+    relations = _Relations(len(names))
+    for i, j in np.unique(small[corners].reshape(-1, 2), axis=0).tolist():
+        relations.relate(i, j)
+    quadrilaterals = _each_once(small[closed.quadrilaterals])
+    planes = _each_once(small[closed.triangles])
+    planes += [tuple(small[plane].tolist()) for plane in _named_faces(topology)]
     relations.changed = True
     while relations.changed and not relations.contradiction:
         relations.changed = False
@@ -119,30 +118,28 @@ def direction_classes(
         flat = [c for c in quadrilaterals if _has_parallel_sides(relations, c)]
         for plane in [*planes, *flat]:
             _close_plane(relations, plane)
+    name = names.tolist()
     return Directions(
-        tuple(relations.sets.labels()),
-        {i: frozenset(others) for i, others in relations.perp.items()},
+        names[np.array(relations.sets.labels(), dtype=np.int64)][small],
+        {name[i]: frozenset(name[j] for j in others) for i, others in relations.perp.items()},
         relations.contradiction,
     )
 
 
-def _say(
-    relations: _Relations, index: dict[str, int], said: Iterable[Annotation]
-) -> set[tuple[int, int]]:
-    """Enter what was annotated; return the annotated corners as ordered pairs of edges."""
-    corners: set[tuple[int, int]] = set()
-    for annotation in said:
-        if isinstance(annotation, RightAngle):
-            i, j = (index[e] for e in annotation.between)
-            relations.relate(i, j)
-            corners |= {(i, j), (j, i)}
-        elif isinstance(annotation, Parallel | SymmetryPlane):
-            edges = (
-                annotation.edges if isinstance(annotation, Parallel) else annotation.midpoints_of
-            )
-            for e in edges[1:]:
-                relations.merge(index[edges[0]], index[e])
-    return corners
+def _said_parallel(topology: Topology, closed: Chains, corners: IntArray) -> IntArray:
+    """Pairs of edges made parallel by annotations and by four right angles in a chain (1, 2)."""
+    n_edges = len(topology.edges)
+    pairs = [np.column_stack([np.broadcast_to(p[0], p.shape), p]) for p in topology.parallels]
+    around = closed.quadrilaterals
+    neighbours = np.sort(np.stack([around, np.roll(around, 1, axis=1)], axis=-1), axis=-1)
+    known = np.isin(neighbours @ [n_edges, 1], corners @ [n_edges, 1]).all(axis=1)
+    square = around[known]
+    return np.vstack([*pairs, square[:, [0, 2]], square[:, [1, 3]]]).astype(np.int64)
+
+
+def _each_once(chains_of_classes: IntArray) -> list[tuple[int, ...]]:
+    """Chains that run through the same classes say the same."""
+    return [tuple(row) for row in np.unique(chains_of_classes, axis=0).tolist()]
 
 
 def _close_around_pairs(relations: _Relations) -> None:
@@ -168,28 +165,19 @@ def _close_plane(relations: _Relations, plane: tuple[int, ...]) -> None:
             relations.merge(across[0], other)
     classes = sorted({relations.sets.find(e) for e in plane})
     # Two classes of one plane that are not known to be parallel span it: edges that meet do.
-    spanning = _meeting_classes(relations, plane)
-    if spanning is None:
-        return
-    first, second = spanning
-    for normal in sorted(relations.perp[first] & relations.perp[second]):
-        for c in classes:
-            relations.relate(relations.sets.find(c), relations.sets.find(normal))
+    for first, second in _meeting_classes(relations, plane):
+        for normal in sorted(relations.perp[first] & relations.perp[second]):
+            for c in classes:
+                relations.relate(c, normal)
 
 
-def _meeting_classes(relations: _Relations, plane: tuple[int, ...]) -> tuple[int, int] | None:
-    """Two classes of neighbouring edges that are known to be perpendicular, else just different."""
-    found = None
-    for k in range(len(plane)):
-        i, j = relations.sets.find(plane[k - 1]), relations.sets.find(plane[k])
-        if i == j:
-            continue
-        if relations.are_perpendicular(i, j):
-            return (i, j)
-        # Pieces of one straight side may differ in class; these corners are sure bends.
-        if len(plane) == 3 or _has_parallel_sides(relations, plane):
-            found = found or (i, j)
-    return found
+def _meeting_classes(relations: _Relations, plane: tuple[int, ...]) -> list[tuple[int, int]]:
+    """Classes of neighbouring edges that surely bend: perpendicular, or no pieces of one side."""
+    around = [relations.sets.find(e) for e in plane]
+    pairs = {(around[k - 1], around[k]) for k in range(len(plane)) if around[k - 1] != around[k]}
+    # Pieces of one straight side may differ in class, but not in these.
+    bends = len(plane) == 3 or _has_parallel_sides(relations, plane)
+    return sorted(p for p in pairs if bends or relations.are_perpendicular(*p))
 
 
 def _has_parallel_sides(relations: _Relations, plane: tuple[int, ...]) -> bool:
@@ -200,55 +188,16 @@ def _has_parallel_sides(relations: _Relations, plane: tuple[int, ...]) -> bool:
     )
 
 
-def _neighbours(graph: SketchGraph) -> dict[str, dict[str, int]]:
-    joined: dict[str, dict[str, int]] = {v: {} for v in graph.vertices}
-    for i, (v, w) in enumerate(graph.edges.values()):
-        joined[v][w] = i
-        joined[w][v] = i
-    return joined
-
-
-def _quadrilaterals(graph: SketchGraph) -> list[tuple[int, int, int, int]]:
-    """Closed chains of four edges, in order around; each once."""
-    joined = _neighbours(graph)
-    order = {v: i for i, v in enumerate(graph.vertices)}
-    cycles: list[tuple[int, int, int, int]] = []
-    for a, around in joined.items():
-        if len(cycles) > MAX_CYCLES:
-            break
-        # a is the chain's first vertex; c lies across, b and d between them.
-        across: dict[str, list[str]] = {}
-        for b in around:
-            if order[b] > order[a]:
-                for c in joined[b]:
-                    if order[c] > order[a]:
-                        across.setdefault(c, []).append(b)
-        for c, between in across.items():
-            for k, b in enumerate(between):
-                for d in between[k + 1 :]:
-                    cycles.append((joined[a][b], joined[b][c], joined[c][d], joined[d][a]))
-    return cycles
-
-
-def _triangles(graph: SketchGraph) -> list[tuple[int, ...]]:
-    joined = _neighbours(graph)
-    order = {v: i for i, v in enumerate(graph.vertices)}
-    found: list[tuple[int, ...]] = []
-    for i, (v, w) in enumerate(graph.edges.values()):
-        if len(found) > MAX_CYCLES:
-            break
-        for u in joined[v].keys() & joined[w].keys():
-            if order[u] > order[v] and order[u] > order[w]:
-                found.append((i, joined[w][u], joined[u][v]))
-    return sorted(found)
-
-
-def _named_faces(graph: SketchGraph, index: dict[str, int]) -> list[tuple[int, ...]]:
+def _named_faces(topology: Topology) -> list[IntArray]:
     """The edges of each named face's outer loop, in order, where all of them are drawn."""
-    joined = _neighbours(graph)
+    if not topology.faces:
+        return []
+    joined = {}
+    for i, (v, w) in enumerate(topology.ends.tolist()):
+        joined[v, w] = joined[w, v] = i
     planes = []
-    for face in (graph.faces or {}).values():
-        loop = face.loop
-        edges = [joined[loop[k - 1]].get(loop[k]) for k in range(len(loop))]
-        planes.append(tuple(e for e in edges if e is not None))
+    for face in topology.faces.values():
+        loop = [topology.vertices[v] for v in face.loop]
+        edges = [joined.get((loop[k - 1], loop[k])) for k in range(len(loop))]
+        planes.append(np.array([e for e in edges if e is not None], dtype=np.int64))
     return planes

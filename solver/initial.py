@@ -24,8 +24,7 @@ from scipy.spatial.transform import Rotation
 from .circles import tilted_views
 from .geometry import cross
 from .problem import Problem
-from .structure import IntArray
-from .values import Array
+from .values import Array, IntArray
 
 #: Focal lengths beyond these, in image units, are no camera a person holds.
 LOG_FOCAL_RANGE = (float(np.log(0.4)), float(np.log(40.0)))

@@ -31,8 +31,8 @@ from .circles import DrawnCircles, drawn_circles
 from .energies import ENERGIES, Linearised
 from .graph import SketchGraph
 from .sizes import Diameters, proportional_diameters
-from .structure import IntArray, Structure
-from .values import Array
+from .structure import Structure
+from .values import Array, IntArray
 
 #: How well people draw: things they imagine, as a part of the drawing's diagonal (FACTS: 0.5 to
 #: 2 %), and things they trace on the photo, px.

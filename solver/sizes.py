@@ -12,8 +12,8 @@ import numpy as np
 
 from .annotations import Diameter, Length
 from .graph import SketchGraph
-from .structure import IntArray, Structure
-from .values import Array
+from .structure import Structure
+from .values import Array, IntArray
 
 
 @dataclass(frozen=True, slots=True, eq=False)

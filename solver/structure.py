@@ -19,16 +19,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
-from .annotations import Annotation, Ground, OnFace
-from .directions import Directions, direction_classes
-from .graph import SketchGraph
+from .annotations import Annotation, OnFace
+from .directions import Directions, direction_classes, first_members
+from .graph import Revolution, SketchGraph
+from .topology import MAX_KEPT, Topology, topology_of, topology_with
 from .union_find import UnionFind
-
-IntArray = NDArray[np.int64]
+from .values import Array, BoolArray, IntArray
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -38,8 +38,6 @@ class Structure:
     Parameters
     ----------
     directions : Directions
-    axis_of_class : mapping of class to axis
-        The classes that run along an object axis.
     edge_axis : (m,) int array
         The axis of each edge, -1 for edges along none.
     edge_across : (m, 3) bool array
@@ -59,9 +57,8 @@ class Structure:
     """
 
     directions: Directions
-    axis_of_class: dict[int, int]
     edge_axis: IntArray
-    edge_across: NDArray[np.bool_]
+    edge_across: BoolArray
     coordinate: IntArray
     radius: IntArray
     n_coordinates: int
@@ -81,41 +78,65 @@ def build_structure(
     annotations : iterable of Annotation, optional
         Those to use; by default all of the graph's.
     """
-    said = tuple(graph.annotations.values() if annotations is None else annotations)
-    directions = direction_classes(graph, said)
-    axes = _choose_axes(graph, directions)
-    axis_of_class = {c: k for k, c in enumerate(axes)}
-    edge_axis, edge_across = _edges_on_axes(graph, directions, axis_of_class)
-    ground = _ground_vertices(said)
-    vertical = _vertical_axis(graph, edge_axis, edge_across, ground) if axes else None
-    if graph.circles and vertical is None:
-        # Circles are horizontal: some axis must be vertical.
-        vertical = _most_upright_axis(graph, edge_axis) if axes else 2
-    coordinate = _share_coordinates(graph, edge_axis, edge_across, said, vertical)
-    edge_axis, edge_across, collapsed = _edges_by_coordinates(graph, coordinate)
+    if annotations is None:
+        topology = topology_of(graph)
+        directions = _kept_directions(topology)
+    else:
+        topology = topology_with(graph, annotations)
+        directions = direction_classes(topology)
+    lengths = _drawn_lengths(graph, topology)
+    axes = _choose_axes(lengths, directions)
+    # Circles are horizontal: some axis must be vertical.
+    upright = _most_upright_axis(graph, topology, directions, axes) if graph.circles else None
+    return (_kept_sharing if annotations is None else _share)(topology, directions, axes, upright)
+
+
+@lru_cache(maxsize=MAX_KEPT)
+def _kept_directions(topology: Topology) -> Directions:
+    return direction_classes(topology)
+
+
+@lru_cache(maxsize=MAX_KEPT)
+def _kept_sharing(
+    topology: Topology, directions: Directions, axes: tuple[int, ...], upright: int | None
+) -> Structure:
+    return _share(topology, directions, axes, upright)
+
+
+def _share(
+    topology: Topology, directions: Directions, axes: tuple[int, ...], upright: int | None
+) -> Structure:
+    """The structure in the chosen axes."""
+    edge_axis, edge_across = _edges_on_axes(topology, directions, axes)
+    vertical = _vertical_axis(topology, edge_axis, edge_across) if axes else None
+    vertical = upright if vertical is None else vertical
+    coordinate = _share_coordinates(topology, edge_axis, edge_across, vertical)
+    edge_axis, edge_across, collapsed = _edges_by_coordinates(topology, coordinate)
     n_shared = int(coordinate.max()) + 1 if coordinate.size else 0
     return Structure(
         directions=directions,
-        axis_of_class=axis_of_class,
         edge_axis=edge_axis,
         edge_across=edge_across,
         coordinate=coordinate,
-        radius=n_shared + np.arange(len(graph.circles)),
-        n_coordinates=n_shared + len(graph.circles),
+        radius=n_shared + np.arange(len(topology.circles)),
+        n_coordinates=n_shared + len(topology.circles),
         vertical=vertical,
         has_axes=bool(axes),
         contradiction=directions.contradiction or collapsed,
     )
 
 
-def _choose_axes(graph: SketchGraph, directions: Directions) -> tuple[int, ...]:
+def _drawn_lengths(graph: SketchGraph, topology: Topology) -> Array:
+    at = np.array(list(graph.vertices.values()), dtype=float).reshape(-1, 2)
+    delta = at[topology.ends[:, 1]] - at[topology.ends[:, 0]]
+    return np.asarray(np.hypot(delta[:, 0], delta[:, 1]))
+
+
+def _choose_axes(lengths: Array, directions: Directions) -> tuple[int, ...]:
     """The mutually perpendicular triple (else pair) of classes with the most drawn length."""
     if directions.contradiction:
         return ()
-    drawn: dict[int, float] = {}
-    for c, (v, w) in zip(directions.class_of, graph.edges.values(), strict=True):
-        (x0, y0), (x1, y1) = graph.vertices[v], graph.vertices[w]
-        drawn[c] = drawn.get(c, 0.0) + float(np.hypot(x1 - x0, y1 - y0))
+    drawn = np.bincount(directions.class_of, lengths).tolist()
     best: tuple[int, ...] = ()
     best_score = (0, 0.0)
     perp = directions.perpendicular
@@ -130,117 +151,117 @@ def _choose_axes(graph: SketchGraph, directions: Directions) -> tuple[int, ...]:
 
 
 def _edges_on_axes(
-    graph: SketchGraph, directions: Directions, axis_of_class: dict[int, int]
-) -> tuple[IntArray, NDArray[np.bool_]]:
-    n_edges = len(graph.edges)
-    edge_axis = np.full(n_edges, -1, dtype=np.int64)
-    edge_across = np.zeros((n_edges, 3), dtype=bool)
-    for e, c in enumerate(directions.class_of):
-        if c in axis_of_class:
-            edge_axis[e] = axis_of_class[c]
-            edge_across[e] = True
-            edge_across[e, axis_of_class[c]] = False
-            continue
-        for other in directions.perpendicular.get(c, ()):
-            if other in axis_of_class:
-                edge_across[e, axis_of_class[other]] = True
-    return _along_third_axis(edge_axis, edge_across)
+    topology: Topology, directions: Directions, axes: tuple[int, ...]
+) -> tuple[IntArray, BoolArray]:
+    n_edges = len(topology.edges)
+    axis = np.full(n_edges, -1, dtype=np.int64)
+    across = np.zeros((n_edges, 3), dtype=bool)
+    for k, c in enumerate(axes):
+        across[list(directions.perpendicular.get(c, ())), k] = True
+    # An axis is across to both others, whether any edge runs along them or not.
+    for k, c in enumerate(axes):
+        axis[c] = k
+        across[c] = np.arange(3) != k
+    return _along_third_axis(axis[directions.class_of], across[directions.class_of])
 
 
-def _along_third_axis(
-    edge_axis: IntArray, edge_across: NDArray[np.bool_]
-) -> tuple[IntArray, NDArray[np.bool_]]:
+def _along_third_axis(edge_axis: IntArray, edge_across: BoolArray) -> tuple[IntArray, BoolArray]:
     """What is perpendicular to two axes runs along the third."""
     free = (edge_axis < 0) & (edge_across.sum(axis=1) == 2)
     edge_axis[free] = np.argmin(edge_across[free], axis=1)
     return edge_axis, edge_across
 
 
-def _vertical_axis(
-    graph: SketchGraph,
-    edge_axis: IntArray,
-    edge_across: NDArray[np.bool_],
-    ground: list[str],
-) -> int | None:
+def _vertical_axis(topology: Topology, edge_axis: IntArray, edge_across: BoolArray) -> int | None:
     """The axis to which all edges between ground vertices are square and most others climb."""
-    if not ground:
+    on_ground = np.zeros(len(topology.vertices), dtype=bool)
+    on_ground[topology.ground] = True
+    grounded = on_ground[topology.ends]
+    inside = grounded.all(axis=1)
+    joining = grounded.any(axis=1) & ~inside
+    if not inside.any() and not joining.any():
         return None
-    on_ground = set(ground)
-    inside = [v in on_ground and w in on_ground for v, w in graph.edges.values()]
-    joining = [(v in on_ground) != (w in on_ground) for v, w in graph.edges.values()]
-    flat = edge_across[np.array(inside, dtype=bool)].all(axis=0)
-    if not any(inside) and not any(joining):
-        return None
-    climbing = edge_axis[np.array(joining, dtype=bool)]
+    flat = edge_across[inside].all(axis=0)
+    climbing = edge_axis[joining]
     scores = [(int(np.count_nonzero(climbing == k)), -k) if flat[k] else (-1, -k) for k in range(3)]
     best = max(range(3), key=lambda k: scores[k])
     sure = scores[best][0] > 0 or (scores[best][0] == 0 and int(flat.sum()) == 1)
     return best if sure else None
 
 
-def _most_upright_axis(graph: SketchGraph, edge_axis: IntArray) -> int:
+def _most_upright_axis(
+    graph: SketchGraph, topology: Topology, directions: Directions, axes: tuple[int, ...]
+) -> int:
     """The axis whose edges are drawn most upright, by their mean lean."""
+    if not axes:
+        return 2
+    edge_axis, _ = _edges_on_axes(topology, directions, axes)
+    at = np.array(list(graph.vertices.values()), dtype=float).reshape(-1, 2)
+    delta = np.abs(at[topology.ends[:, 1]] - at[topology.ends[:, 0]])
     leans = np.full(3, np.inf)
     for k in range(3):
-        drawn = [ends for ends, a in zip(graph.edges.values(), edge_axis, strict=True) if a == k]
-        deltas = [np.subtract(graph.vertices[w], graph.vertices[v]) for v, w in drawn]
-        if deltas:
-            total = np.sum([np.abs(d) for d in deltas], axis=0)
+        total = delta[edge_axis == k].sum(axis=0)
+        if (edge_axis == k).any():
             leans[k] = np.arctan2(total[0], total[1])
     return int(np.argmin(leans))
 
 
 def _share_coordinates(
-    graph: SketchGraph,
-    edge_axis: IntArray,
-    edge_across: NDArray[np.bool_],
-    said: tuple[Annotation, ...],
-    vertical: int | None,
+    topology: Topology, edge_axis: IntArray, edge_across: BoolArray, vertical: int | None
 ) -> IntArray:
-    index = {v: i for i, v in enumerate(graph.vertices)}
-    n_points = len(index) + len(graph.circles)
-    circle = {c: len(index) + i for i, c in enumerate(graph.circles)}
-    sets = UnionFind(3 * n_points)
-    for across, (v, w) in zip(edge_across, graph.edges.values(), strict=True):
-        for axis in np.flatnonzero(across).tolist():
-            sets.union(3 * index[v] + axis, 3 * index[w] + axis)
+    n_points = len(topology.vertices) + len(topology.circles)
+    edge, axis = np.nonzero(edge_across)
+    pairs = [3 * topology.ends[edge] + axis[:, None]]
     if vertical is not None:
-        on_ground = [index[v] for v in _ground_vertices(said)]
-        on_ground += [circle[c] for c in ground_circles(graph)]
-        _share(sets, [3 * i + vertical for i in on_ground])
-        for r in graph.revolutions.values():
-            for k in {0, 1, 2} - {vertical}:
-                _share(sets, [3 * circle[c] + k for c in (r.ground, r.bottom, r.top)])
-    touching: dict[str, list[str]] = {}
-    for annotation in said:
-        if isinstance(annotation, OnFace):
-            touching.setdefault(annotation.face, []).append(annotation.vertex)
-    axis_between = {
-        frozenset(ends): int(k) for ends, k in zip(graph.edges.values(), edge_axis, strict=True)
-    }
-    for id_, face in (graph.faces or {}).items():
-        in_plane = [v for loop in face.loops for v in loop] + touching.get(id_, [])
-        for k in _square_axes(face.loop, sets, index, axis_between):
-            _share(sets, [3 * index[v] + k for v in in_plane])
-    labels = np.array(sets.labels(), dtype=np.int64)
-    _, coordinate = np.unique(labels, return_inverse=True)
+        circle = {c: len(topology.vertices) + i for c, i in topology.circles.items()}
+        ground = [*topology.ground.tolist(), *(circle[r.ground] for r in _turned(topology))]
+        pairs.append(_chain([3 * i + vertical for i in ground]))
+        for r in _turned(topology):
+            on_axis = [3 * circle[c] for c in (r.ground, r.bottom, r.top)]
+            pairs += [_chain([i + k for i in on_axis]) for k in {0, 1, 2} - {vertical}]
+    shared = first_members(np.vstack(pairs), 3 * n_points)
+    if topology.faces:
+        shared = _share_in_faces(topology, edge_axis, shared)
+    _, coordinate = np.unique(shared, return_inverse=True)
     return coordinate.reshape(n_points, 3).astype(np.int64)
 
 
-def _share(sets: UnionFind, members: list[int]) -> None:
-    for i in members[1:]:
-        sets.union(members[0], i)
+def _turned(topology: Topology) -> list[Revolution]:
+    return list(topology.revolutions.values())
+
+
+def _chain(members: list[int]) -> IntArray:
+    """Pairs that tie all members together."""
+    return np.array([members[:-1], members[1:]], dtype=np.int64).T.reshape(-1, 2)
+
+
+def _share_in_faces(topology: Topology, edge_axis: IntArray, shared: IntArray) -> IntArray:
+    """A named face that is square to an axis ties that coordinate for all that lies in it."""
+    touching: dict[str, list[str]] = {}
+    for annotation in topology.annotations:
+        if isinstance(annotation, OnFace):
+            touching.setdefault(annotation.face, []).append(annotation.vertex)
+    ends = zip(topology.ends.tolist(), edge_axis.tolist(), strict=True)
+    axis_between = {frozenset(pair): k for pair, k in ends}
+    sets = UnionFind(len(shared))
+    for i, name in enumerate(shared.tolist()):
+        sets.union(i, name)
+    for id_, face in (topology.faces or {}).items():
+        loop = [topology.vertices[v] for v in face.loop]
+        others = [v for hole in face.holes for v in hole] + touching.get(id_, [])
+        in_plane = loop + [topology.vertices[v] for v in others]
+        for k in _square_axes(loop, sets, axis_between):
+            for i in in_plane[1:]:
+                sets.union(3 * in_plane[0] + k, 3 * i + k)
+    return np.array(sets.labels(), dtype=np.int64)
 
 
 def _square_axes(
-    loop: tuple[str, ...],
-    sets: UnionFind,
-    index: dict[str, int],
-    axis_between: dict[frozenset[str], int],
+    loop: list[int], sets: UnionFind, axis_between: dict[frozenset[int], int]
 ) -> list[int]:
     """The axes to which a planar face is square: edges along the two others, or shared already."""
     along = {axis_between.get(frozenset((loop[k - 1], loop[k])), -1) for k in range(len(loop))}
-    shared = [k for k in range(3) if len({sets.find(3 * index[v] + k) for v in loop}) == 1]
+    shared = [k for k in range(3) if len({sets.find(3 * i + k) for i in loop}) == 1]
     return [k for k in range(3) if k in shared or {0, 1, 2} - {k} <= along]
 
 
@@ -249,20 +270,14 @@ def ground_circles(graph: SketchGraph) -> list[str]:
     return sorted({r.ground for r in graph.revolutions.values()})
 
 
-def _ground_vertices(said: tuple[Annotation, ...]) -> list[str]:
-    return sorted({v for a in said if isinstance(a, Ground) for v in a.vertices})
-
-
 def _edges_by_coordinates(
-    graph: SketchGraph, coordinate: IntArray
-) -> tuple[IntArray, NDArray[np.bool_], bool]:
+    topology: Topology, coordinate: IntArray
+) -> tuple[IntArray, BoolArray, bool]:
     """Which edges run along or across which axis, now that coordinates are shared.
 
     The last value tells whether some edge's two ends came out as one and the same point.
     """
-    index = {v: i for i, v in enumerate(graph.vertices)}
-    ends = np.array([[index[v], index[w]] for v, w in graph.edges.values()], dtype=np.int64)
-    ends = ends.reshape(-1, 2)
+    ends = topology.ends
     across = coordinate[ends[:, 0]] == coordinate[ends[:, 1]]
     axis = np.where(across.sum(axis=1) == 2, np.argmin(across, axis=1), -1)
     return axis.astype(np.int64), across, bool((across.sum(axis=1) == 3).any())

@@ -1,0 +1,208 @@
+"""What of a sketch does not change while its vertices are moved, as numbers.
+
+Terms
+-----
+topology
+    Ids, edges, faces and annotations of a graph, without drawn positions. Reasoning about
+    annotations needs nothing else, so it is done once and kept while a person drags.
+two-path
+    Two edges that meet: from one neighbour of a vertex to another.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from threading import Lock
+from typing import Any
+
+import numpy as np
+
+from .annotations import Annotation, Ground, Parallel, RightAngle, SymmetryPlane
+from .graph import Face, Revolution, SketchGraph
+from .values import IntArray
+
+#: Topologies that are remembered: a few sketches, each with some edits.
+MAX_KEPT = 16
+#: A tangle in which everything is joined to everything has more two-paths and closed chains than
+#: can be looked at; an object has a few for each edge.
+MAX_TWO_PATHS = 200_000
+MAX_QUADRILATERALS = 20_000
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Topology:
+    """Ids and relations of a graph, and their numbers in the graph's own order.
+
+    Parameters
+    ----------
+    vertices, edges, circles : mappings of id to index
+    ends : (m, 2) int array
+        Vertex indices of each edge.
+    revolutions, faces, annotations : as in SketchGraph
+    right_angles : (k, 3) int array
+        Vertex and the two edges of each annotated right angle.
+    right_angle_ids : tuple of str
+        Their annotations; empty where annotations were given without ids.
+    parallels : tuple of int arrays
+        Edges of each parallel annotation and of each symmetry plane.
+    ground : (g,) int array
+        Vertices annotated as on the ground, each once.
+    """
+
+    vertices: Mapping[str, int]
+    edges: Mapping[str, int]
+    circles: Mapping[str, int]
+    ends: IntArray
+    revolutions: Mapping[str, Revolution]
+    faces: Mapping[str, Face] | None
+    annotations: tuple[Annotation, ...]
+    right_angles: IntArray
+    right_angle_ids: tuple[str, ...]
+    parallels: tuple[IntArray, ...]
+    ground: IntArray
+
+
+def topology_of(graph: SketchGraph) -> Topology:
+    """The topology of a graph; the same object for graphs that differ in positions only."""
+    key = (
+        tuple(graph.vertices),
+        graph.edges,
+        tuple(graph.circles),
+        graph.revolutions,
+        graph.faces,
+        graph.annotations,
+    )
+    with _lock:
+        for i, (known, topology) in enumerate(_kept):
+            if _same(known, key):
+                _kept.insert(0, _kept.pop(i))
+                return topology
+    topology = topology_with(graph, tuple(graph.annotations.values()), tuple(graph.annotations))
+    with _lock:
+        _kept.insert(0, (key, topology))
+        del _kept[MAX_KEPT:]
+    return topology
+
+
+_Key = tuple[Any, ...]
+_kept: list[tuple[_Key, Topology]] = []
+_lock = Lock()
+
+
+def _same(known: _Key, key: _Key) -> bool:
+    """Equality that asks for the order of ids as well: numbers go by it."""
+    return known == key and all(
+        list(a) == list(b) for a, b in zip(known[1:], key[1:], strict=True) if a and b
+    )
+
+
+def topology_with(
+    graph: SketchGraph, said: Iterable[Annotation], ids: tuple[str, ...] = ()
+) -> Topology:
+    """The topology of a graph with some of its annotations, or others."""
+    said = tuple(said)
+    vertices = {v: i for i, v in enumerate(graph.vertices)}
+    edges = {e: i for i, e in enumerate(graph.edges)}
+    corners = [
+        (vertices[a.at], edges[a.between[0]], edges[a.between[1]])
+        for a in said
+        if isinstance(a, RightAngle)
+    ]
+    corner_ids = [id_ for id_, a in zip(ids, said, strict=False) if isinstance(a, RightAngle)]
+    together = [a.edges for a in said if isinstance(a, Parallel)]
+    together += [a.midpoints_of for a in said if isinstance(a, SymmetryPlane)]
+    ground = {vertices[v] for a in said if isinstance(a, Ground) for v in a.vertices}
+    return Topology(
+        vertices=vertices,
+        edges=edges,
+        circles={c: i for i, c in enumerate(graph.circles)},
+        ends=_ints([(vertices[v], vertices[w]) for v, w in graph.edges.values()], 2),
+        revolutions=graph.revolutions,
+        faces=graph.faces,
+        annotations=said,
+        right_angles=_ints(corners, 3),
+        right_angle_ids=tuple(corner_ids),
+        parallels=tuple(np.array([edges[e] for e in group]) for group in together),
+        ground=np.array(sorted(ground), dtype=np.int64),
+    )
+
+
+def _ints(rows: list[Any], width: int) -> IntArray:
+    return np.array(rows, dtype=np.int64).reshape(-1, width)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Chains:
+    """Short closed chains of edges, (k, 3) and (k, 4) edges in order around, each once."""
+
+    triangles: IntArray
+    quadrilaterals: IntArray
+
+
+def chains(topology: Topology) -> Chains:
+    """All closed chains of three and of four edges (of a tangle, as many as are allowed)."""
+    ends = topology.ends
+    edges = np.arange(len(ends))
+    source = np.concatenate([ends[:, 0], ends[:, 1]])
+    target = np.concatenate([ends[:, 1], ends[:, 0]])
+    edge = np.concatenate([edges, edges])
+    order = np.lexsort((target, source))
+    paths = _two_paths(source[order], target[order], edge[order])
+    return Chains(_triangles(ends, paths), _quadrilaterals(paths))
+
+
+def _two_paths(source: IntArray, target: IntArray, edge: IntArray) -> IntArray:
+    """Rows (a, middle, c, edge to a, edge to c) with a < c; half-edges come sorted by source."""
+    found = [np.zeros((0, 5), dtype=np.int64)]
+    vertex, first, degree = np.unique(source, return_index=True, return_counts=True)
+    room = MAX_TWO_PATHS
+    for d in np.unique(degree).tolist():
+        p, q = np.triu_indices(d, 1)
+        at = np.flatnonzero(degree == d)
+        at = at[: room // max(1, len(p))]
+        room -= len(at) * len(p)
+        i, j = first[at, None] + p, first[at, None] + q
+        middle = np.broadcast_to(vertex[at, None], i.shape)
+        found.append(
+            np.stack([target[i], middle, target[j], edge[i], edge[j]], axis=-1).reshape(-1, 5)
+        )
+    paths = np.concatenate(found)
+    # Two edges between the same vertices are no path.
+    return np.asarray(paths[paths[:, 0] < paths[:, 2]])
+
+
+def _triangles(ends: IntArray, paths: IntArray) -> IntArray:
+    last = paths[(paths[:, 1] > paths[:, 0]) & (paths[:, 1] > paths[:, 2])]
+    n = int(ends.max(initial=0)) + 1
+    low, high = ends.min(axis=1), ends.max(axis=1)
+    code, first = np.unique(low * n + high, return_index=True)
+    wanted = last[:, 0] * n + last[:, 2]
+    at = np.minimum(np.searchsorted(code, wanted), max(0, len(code) - 1))
+    if not len(code):
+        return np.zeros((0, 3), dtype=np.int64)
+    closed = code[at] == wanted
+    return np.column_stack([first[at[closed]], last[closed, 4], last[closed, 3]])
+
+
+def _quadrilaterals(paths: IntArray) -> IntArray:
+    """Two-paths between the same two vertices, in pairs."""
+    found = [np.zeros((0, 4), dtype=np.int64)]
+    n = int(paths[:, :3].max(initial=0)) + 1
+    code = paths[:, 0] * n + paths[:, 2]
+    # Sorted by the chain's two opposite vertices, the middles in order.
+    order = np.lexsort((paths[:, 1], code))
+    paths, code = paths[order], code[order]
+    _, first, count = np.unique(code, return_index=True, return_counts=True)
+    room = MAX_QUADRILATERALS
+    for k in np.unique(count[count > 1]).tolist():
+        p, q = np.triu_indices(k, 1)
+        at = first[count == k]
+        at = at[: room // len(p)]
+        room -= len(at) * len(p)
+        b, d = paths[(at[:, None] + p).reshape(-1)], paths[(at[:, None] + q).reshape(-1)]
+        # Each chain is met from both of its diagonals: the one with its first vertex counts.
+        once = b[:, 0] < np.minimum(b[:, 1], d[:, 1])
+        b, d = b[once], d[once]
+        found.append(np.column_stack([b[:, 3], b[:, 4], d[:, 4], d[:, 3]]))
+    return np.concatenate(found)

@@ -106,17 +106,18 @@ def direction_classes(topology: Topology) -> Directions:
     names, small = np.unique(merged, return_inverse=True)
     small = small.reshape(-1)
     relations = _Relations(len(names))
-    for i, j in np.unique(small[corners].reshape(-1, 2), axis=0).tolist():
+    for i, j in _each_once(small[corners]):
         relations.relate(i, j)
-    quadrilaterals = _each_once(small[closed.quadrilaterals])
-    planes = _each_once(small[closed.triangles])
-    planes += [tuple(small[plane].tolist()) for plane in _named_faces(topology)]
+    triangles, quadrilaterals = small[closed.triangles], small[closed.quadrilaterals]
+    faces = [tuple(small[plane].tolist()) for plane in _named_faces(topology)]
     relations.changed = True
     while relations.changed and not relations.contradiction:
         relations.changed = False
         _close_around_pairs(relations)
-        flat = [c for c in quadrilaterals if _has_parallel_sides(relations, c)]
-        for plane in [*planes, *flat]:
+        # Few classes are left: most chains run through the same ones and say the same.
+        label = np.array(relations.sets.labels(), dtype=np.int64)
+        flat = [c for c in _each_once(label[quadrilaterals]) if _has_parallel_sides(relations, c)]
+        for plane in [*_each_once(label[triangles]), *faces, *flat]:
             _close_plane(relations, plane)
     name = names.tolist()
     return Directions(
@@ -137,9 +138,11 @@ def _said_parallel(topology: Topology, closed: Chains, corners: IntArray) -> Int
     return np.vstack([*pairs, square[:, [0, 2]], square[:, [1, 3]]]).astype(np.int64)
 
 
-def _each_once(chains_of_classes: IntArray) -> list[tuple[int, ...]]:
-    """Chains that run through the same classes say the same."""
-    return [tuple(row) for row in np.unique(chains_of_classes, axis=0).tolist()]
+def _each_once(rows: IntArray) -> list[tuple[int, ...]]:
+    """Different rows; their numbers count edges, of which no sketch has 2^15."""
+    code = rows @ (1 << 15 * np.arange(rows.shape[1], dtype=np.int64))
+    _, first = np.unique(code, return_index=True)
+    return [tuple(row) for row in rows[first].tolist()]
 
 
 def _close_around_pairs(relations: _Relations) -> None:

@@ -13,9 +13,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
 from .annotations import (
     EqualLength,
@@ -23,7 +23,6 @@ from .annotations import (
     Length,
     OnFace,
     Parallel,
-    RightAngle,
     SymmetryPlane,
 )
 from .camera import Camera
@@ -32,6 +31,7 @@ from .energies import ENERGIES, Linearised
 from .graph import SketchGraph
 from .sizes import Diameters, proportional_diameters
 from .structure import Structure
+from .topology import MAX_KEPT, Topology, topology_of
 from .values import Array, IntArray
 
 #: How well people draw: things they imagine, as a part of the drawing's diagonal (FACTS: 0.5 to
@@ -114,8 +114,7 @@ def build_problem(graph: SketchGraph, structure: Structure) -> Problem:
     """Turn a graph and its structure into numbers."""
     pixels = np.array(list(graph.vertices.values()), dtype=float).reshape(-1, 2)
     unit = image_unit_px(graph)
-    index = {v: i for i, v in enumerate(graph.vertices)}
-    ends = np.array([[index[v], index[w]] for v, w in graph.edges.values()], dtype=np.int64)
+    topology = topology_of(graph)
     focal = graph.camera.focal_px if graph.camera is not None else None
     if focal is None and graph.photo is not None:
         focal = graph.photo.focal_px
@@ -124,7 +123,7 @@ def build_problem(graph: SketchGraph, structure: Structure) -> Problem:
         points=(pixels - np.array(graph.principal_point_px)) / unit,
         weights=weights,
         circles=drawn_circles(graph, unit, traced),
-        ends=ends.reshape(-1, 2),
+        ends=topology.ends,
         structure=structure,
         blocks=leftover_constraints(graph, structure),
         diameters=proportional_diameters(graph, structure),
@@ -155,6 +154,8 @@ def _weights(graph: SketchGraph) -> tuple[Array, float]:
 
     It is the ratio of the two standard deviations where all edges of a vertex are traced, else 1.
     """
+    if not graph.construction:
+        return np.ones(len(graph.vertices)), 1.0
     pixels = _drawn_positions(graph)
     traced = set(graph.construction)
     real = {v for id_, ends in graph.edges.items() if id_ in traced for v in ends}
@@ -167,9 +168,10 @@ def _weights(graph: SketchGraph) -> tuple[Array, float]:
 
 def leftover_constraints(graph: SketchGraph, structure: Structure) -> tuple[Block, ...]:
     """The constraints that shared coordinates do not already hold."""
-    compiler = _Compiler(graph, structure)
+    topology = topology_of(graph)
+    relations = _leftover_relations(topology, structure)
     found: dict[str, list[tuple[tuple[int, ...], str, tuple[float, float]]]] = {}
-    for name, items, owner, wanted in compiler.all():
+    for name, items, owner, wanted in [*relations, *_leftover_planes(graph, topology, structure)]:
         found.setdefault(name, []).append((items, owner, wanted))
     blocks = []
     for name, entries in found.items():
@@ -183,69 +185,65 @@ _Item = tuple[str, tuple[int, ...], str, tuple[float, float]]
 _ONE = (1.0, 1.0)
 
 
-class _Compiler:
+@lru_cache(maxsize=MAX_KEPT)
+def _leftover_relations(topology: Topology, structure: Structure) -> tuple[_Item, ...]:
+    """What holds between edges: it does not ask for the drawing."""
+    return tuple(_Relations(topology, structure).all())
+
+
+class _Relations:
     """Walks the annotations and yields (energy, vertex indices, owner, wanted lengths)."""
 
-    def __init__(self, graph: SketchGraph, structure: Structure) -> None:
-        self.graph = graph
+    def __init__(self, topology: Topology, structure: Structure) -> None:
+        self.topology = topology
         self.structure = structure
-        self.index = {v: i for i, v in enumerate(graph.vertices)}
-        self.edge = {e: i for i, e in enumerate(graph.edges)}
+        ends = structure.coordinate[topology.ends]
+        # What an edge measures along each axis: two coordinates, in whichever order.
+        self.spans = np.sort(ends, axis=1).reshape(-1, 6)
 
     def all(self) -> Iterator[_Item]:
-        for id_, a in self.graph.annotations.items():
-            if isinstance(a, RightAngle):
-                yield from self.right_angle(id_, a)
-            elif isinstance(a, Parallel):
+        yield from self.right_angles()
+        for id_, a in zip(self.topology.annotation_ids, self.topology.annotations, strict=True):
+            if isinstance(a, Parallel):
                 yield from self.parallels(id_, a.edges)
             elif isinstance(a, EqualLength):
                 yield from self.equal_lengths(id_, a)
             elif isinstance(a, SymmetryPlane):
                 yield from self.symmetry(id_, a)
-            elif isinstance(a, OnFace) and self.graph.faces and a.face in self.graph.faces:
-                loop = self.graph.faces[a.face].loop
-                yield from self.in_plane(id_, loop, [a.vertex])
-        yield from self.ground()
         yield from self.lengths()
-        for id_, face in (self.graph.faces or {}).items():
-            rest = [v for loop in face.loops for v in loop]
-            yield from self.in_plane(id_, face.loop, rest)
 
     def _ends(self, edge: str) -> tuple[int, int]:
-        v, w = self.graph.edges[edge]
-        return (self.index[v], self.index[w])
+        v, w = self.topology.ends[self.topology.edges[edge]].tolist()
+        return (v, w)
 
-    def right_angle(self, id_: str, a: RightAngle) -> Iterator[_Item]:
-        i, j = (self.edge[e] for e in a.between)
+    def right_angles(self) -> Iterator[_Item]:
+        at, i, j = self.topology.right_angles.T
         axis, across = self.structure.edge_axis, self.structure.edge_across
-        if (axis[i] >= 0 and across[j, axis[i]]) or (axis[j] >= 0 and across[i, axis[j]]):
-            return
-        yield ("right_angle", self._from_corner(a, 0) + self._from_corner(a, 1), id_, _ONE)
+        held = (axis[i] >= 0) & across[j, axis[i]] | (axis[j] >= 0) & across[i, axis[j]]
+        for k in np.flatnonzero(~held).tolist():
+            corner = [self._from(int(at[k]), int(edge[k])) for edge in (i, j)]
+            yield ("right_angle", corner[0] + corner[1], self.topology.right_angle_ids[k], _ONE)
 
-    def _from_corner(self, a: RightAngle, k: int) -> tuple[int, int]:
-        v, w = self.graph.edges[a.between[k]]
-        return (self.index[a.at], self.index[w if v == a.at else v])
+    def _from(self, vertex: int, edge: int) -> tuple[int, int]:
+        v, w = self.topology.ends[edge].tolist()
+        return (vertex, w if v == vertex else v)
 
     def parallels(self, id_: str, edges: tuple[str, ...]) -> Iterator[_Item]:
-        axis = self.structure.edge_axis
-        first = self.edge[edges[0]]
-        for e in edges[1:]:
-            if axis[first] < 0 or axis[first] != axis[self.edge[e]]:
+        axis = self.structure.edge_axis[[self.topology.edges[e] for e in edges]]
+        for e, k in zip(edges[1:], axis[1:].tolist(), strict=True):
+            if k < 0 or k != axis[0]:
                 yield ("parallel", self._ends(edges[0]) + self._ends(e), id_, _ONE)
 
     def equal_lengths(self, id_: str, a: EqualLength) -> Iterator[_Item]:
-        coordinate = self.structure.coordinate
-        for e in a.edges[1:]:
-            pairs = [
-                {frozenset(pair) for pair in coordinate[list(self._ends(x))].T.tolist()}
-                for x in (a.edges[0], e)
-            ]
-            if pairs[0] != pairs[1]:
-                yield ("length_ratio", self._ends(a.edges[0]) + self._ends(e), id_, _ONE)
+        spans = self.spans[[self.topology.edges[e] for e in a.edges]]
+        differs = (spans != spans[0]).any(axis=1)
+        for k in np.flatnonzero(differs).tolist():
+            yield ("length_ratio", self._ends(a.edges[0]) + self._ends(a.edges[k]), id_, _ONE)
 
     def lengths(self) -> Iterator[_Item]:
         """Given lengths as ratios to the first one."""
-        given = [(id_, a) for id_, a in self.graph.annotations.items() if isinstance(a, Length)]
+        said = zip(self.topology.annotation_ids, self.topology.annotations, strict=True)
+        given = [(id_, a) for id_, a in said if isinstance(a, Length)]
         for id_, a in given[1:]:
             first = given[0][1]
             wanted = (first.length_mm, a.length_mm)
@@ -256,31 +254,48 @@ class _Compiler:
         for e in a.midpoints_of[1:]:
             yield ("symmetry", self._ends(a.midpoints_of[0]) + self._ends(e), id_, _ONE)
 
-    def ground(self) -> Iterator[_Item]:
-        if self.structure.vertical is not None:
-            return
-        said = [(id_, a) for id_, a in self.graph.annotations.items() if isinstance(a, Ground)]
-        vertices = list(dict.fromkeys(v for _, a in said for v in a.vertices))
-        if said:
-            yield from self.in_plane(said[0][0], tuple(vertices), vertices)
 
-    def in_plane(self, owner: str, loop: tuple[str, ...], rest: list[str]) -> Iterator[_Item]:
+def _leftover_planes(
+    graph: SketchGraph, topology: Topology, structure: Structure
+) -> Iterator[_Item]:
+    """Vertices that have to lie in one plane: faces, what touches them, a slanted ground."""
+    planes = _Planes(graph, topology, structure)
+    said = zip(topology.annotation_ids, topology.annotations, strict=True)
+    grounds = []
+    for id_, a in said:
+        if isinstance(a, OnFace) and graph.faces and a.face in graph.faces:
+            yield from planes.of(id_, graph.faces[a.face].loop, [a.vertex])
+        elif isinstance(a, Ground) and structure.vertical is None:
+            grounds.append((id_, a))
+    if grounds:
+        vertices = list(dict.fromkeys(v for _, a in grounds for v in a.vertices))
+        yield from planes.of(grounds[0][0], tuple(vertices), vertices)
+    for id_, face in (graph.faces or {}).items():
+        rest = [v for loop in face.loops for v in loop]
+        yield from planes.of(id_, face.loop, rest)
+
+
+class _Planes:
+    def __init__(self, graph: SketchGraph, topology: Topology, structure: Structure) -> None:
+        self.vertices = topology.vertices
+        self.coordinate = structure.coordinate
+        self.pixels = np.array(list(graph.vertices.values())).reshape(-1, 2)
+
+    def of(self, owner: str, loop: tuple[str, ...], rest: list[str]) -> Iterator[_Item]:
         """Vertices in the plane of a loop, those left out that span it."""
-        together = [self.index[v] for v in dict.fromkeys([*loop, *rest])]
-        coordinate = self.structure.coordinate
-        if len(loop) < 3 or any(len(set(coordinate[together, k].tolist())) == 1 for k in range(3)):
+        together = [self.vertices[v] for v in dict.fromkeys([*loop, *rest])]
+        shared = self.coordinate[together]
+        if len(loop) < 3 or bool((shared == shared[0]).all(axis=0).any()):
             return
-        base = self._spanning_three([self.index[v] for v in loop])
+        base = self._spanning_three([self.vertices[v] for v in loop])
         for i in together:
             if i not in base:
                 yield ("planarity", (*base, i), owner, _ONE)
 
     def _spanning_three(self, loop: list[int]) -> tuple[int, int, int]:
         """Three vertices far apart as drawn: drawn apart means apart in space too."""
-        pixels = np.array(list(self.graph.vertices.values()))[loop]
-        a = 0
-        b = int(np.argmax(np.linalg.norm(pixels - pixels[a], axis=1)))
-        along: NDArray[np.float64] = pixels[b] - pixels[a]
-        offset = pixels - pixels[a]
+        offset = self.pixels[loop] - self.pixels[loop[0]]
+        b = int(np.argmax(np.linalg.norm(offset, axis=1)))
+        along = offset[b]
         c = int(np.argmax(np.abs(along[0] * offset[:, 1] - along[1] * offset[:, 0])))
-        return (loop[a], loop[b], loop[c])
+        return (loop[0], loop[b], loop[c])

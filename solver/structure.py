@@ -181,7 +181,7 @@ def _vertical_axis(topology: Topology, edge_axis: IntArray, edge_across: BoolArr
     joining = grounded.any(axis=1) & ~inside
     if not inside.any() and not joining.any():
         return None
-    flat = edge_across[inside].all(axis=0)
+    flat: BoolArray = np.all(edge_across[inside], axis=0)
     climbing = edge_axis[joining]
     scores = [(int(np.count_nonzero(climbing == k)), -k) if flat[k] else (-1, -k) for k in range(3)]
     best = max(range(3), key=lambda k: scores[k])

@@ -39,11 +39,14 @@ class Topology:
     vertices, edges, circles : mappings of id to index
     ends : (m, 2) int array
         Vertex indices of each edge.
-    revolutions, faces, annotations : as in SketchGraph
+    revolutions, faces : as in SketchGraph
+    annotations : tuple of Annotation
+    annotation_ids : tuple of str
+        Empty where annotations were given without ids, as is right_angle_ids.
     right_angles : (k, 3) int array
         Vertex and the two edges of each annotated right angle.
     right_angle_ids : tuple of str
-        Their annotations; empty where annotations were given without ids.
+        Their annotations.
     parallels : tuple of int arrays
         Edges of each parallel annotation and of each symmetry plane.
     ground : (g,) int array
@@ -57,6 +60,7 @@ class Topology:
     revolutions: Mapping[str, Revolution]
     faces: Mapping[str, Face] | None
     annotations: tuple[Annotation, ...]
+    annotation_ids: tuple[str, ...]
     right_angles: IntArray
     right_angle_ids: tuple[str, ...]
     parallels: tuple[IntArray, ...]
@@ -121,6 +125,7 @@ def topology_with(
         revolutions=graph.revolutions,
         faces=graph.faces,
         annotations=said,
+        annotation_ids=ids,
         right_angles=_ints(corners, 3),
         right_angle_ids=tuple(corner_ids),
         parallels=tuple(np.array([edges[e] for e in group]) for group in together),

@@ -57,7 +57,7 @@ def set_group(
     """
     members = tuple(dict.fromkeys(edges))
     if len(members) < 2:
-        return graph if id_ is None else _without(graph, (id_,))
+        return graph if id_ is None else without_annotations(graph, (id_,))
     if id_ is None:
         return annotate(graph, kind(members))[0]
     changed = replace(graph, annotations={**graph.annotations, id_: kind(members)})
@@ -77,7 +77,7 @@ def set_length(graph: SketchGraph, edge: str, length_mm: float | None) -> Sketch
     annotations = graph.annotations.items()
     said = [id_ for id_, a in annotations if isinstance(a, Length) and a.edge == edge]
     if length_mm is None:
-        return _without(graph, said)
+        return without_annotations(graph, said)
     if not 0 < length_mm < float("inf"):
         raise SketchError(f"a length of {length_mm:g} mm", (edge,), "a length above 0")
     length = Length(edge, float(length_mm))
@@ -107,11 +107,12 @@ def toggle_ground(graph: SketchGraph, vertices: Iterable[str]) -> SketchGraph:
     else:
         return annotate(graph, Ground(named))[0]
     changed = {id_: Ground(vs) for id_, vs in left.items() if vs}
-    smaller = _without(graph, (id_ for id_, vs in left.items() if not vs))
+    smaller = without_annotations(graph, (id_ for id_, vs in left.items() if not vs))
     return replace(smaller, annotations={**smaller.annotations, **changed})
 
 
-def _without(graph: SketchGraph, ids: Iterable[str]) -> SketchGraph:
+def without_annotations(graph: SketchGraph, ids: Iterable[str]) -> SketchGraph:
+    """The graph without some annotations; ids that are not there are no mistake."""
     gone = set(ids)
     left = {id_: a for id_, a in graph.annotations.items() if id_ not in gone}
     return replace(graph, annotations=left)

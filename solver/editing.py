@@ -8,10 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from itertools import pairwise
 
 from .annotating import annotate
 from .annotations import Annotation, Ground, Parallel, RightAngle
-from .graph import Face, Point, SketchGraph
+from .graph import Face, Point, Revolution, SketchGraph
 from .ids import fresh_id, need
 from .parsing import check_references
 from .substitution import Substitution, substituted
@@ -20,7 +21,8 @@ from .substitution import Substitution, substituted
 DECIMALS = 3
 
 
-def _rounded(point_px: Point) -> Point:
+def rounded(point_px: Point) -> Point:
+    """A position as files keep it."""
     u, v = point_px
     return (round(float(u), DECIMALS), round(float(v), DECIMALS))
 
@@ -28,7 +30,7 @@ def _rounded(point_px: Point) -> Point:
 def add_vertex(graph: SketchGraph, point_px: Point) -> tuple[SketchGraph, str]:
     """The graph with one more vertex, and its id."""
     vertex = fresh_id("v", graph.vertices)
-    return replace(graph, vertices={**graph.vertices, vertex: _rounded(point_px)}), vertex
+    return replace(graph, vertices={**graph.vertices, vertex: rounded(point_px)}), vertex
 
 
 def add_edge(graph: SketchGraph, v: str, w: str) -> tuple[SketchGraph, str]:
@@ -57,7 +59,7 @@ def move_vertices(graph: SketchGraph, positions_px: Mapping[str, Point]) -> Sket
         Where one is not there.
     """
     need(positions_px, graph.vertices)
-    moved = {v: _rounded(point) for v, point in positions_px.items()}
+    moved = {v: rounded(point) for v, point in positions_px.items()}
     return replace(graph, vertices={**graph.vertices, **moved})
 
 
@@ -125,6 +127,7 @@ def split_edge(graph: SketchGraph, edge: str, point_px: Point) -> tuple[SketchGr
     larger = replace(
         larger,
         edges={**graph.edges, edge: (v, middle), half: (middle, w)},
+        revolutions=_split_revolutions(graph.revolutions, {v, w}, middle),
         faces=None if graph.faces is None else _split_faces(graph.faces, {v, w}, middle),
         annotations=_split_annotations(graph, edge, half, w),
         construction=(*helping, half) if edge in helping else helping,
@@ -134,15 +137,29 @@ def split_edge(graph: SketchGraph, edge: str, point_px: Point) -> tuple[SketchGr
 
 def _split_faces(faces: Mapping[str, Face], ends: set[str], middle: str) -> dict[str, Face]:
     def split(loop: tuple[str, ...]) -> tuple[str, ...]:
-        longer: list[str] = []
-        for v, w in zip(loop, (*loop[1:], loop[0]), strict=True):
-            longer += [v, middle] if {v, w} == ends else [v]
-        return tuple(longer)
+        return _split_chain((*loop, loop[0]), ends, middle)[:-1]
 
     return {
         id_: replace(face, loop=split(face.loop), holes=tuple(map(split, face.holes)))
         for id_, face in faces.items()
     }
+
+
+def _split_revolutions(
+    revolutions: Mapping[str, Revolution], ends: set[str], middle: str
+) -> dict[str, Revolution]:
+    return {
+        id_: replace(r, profile=_split_chain(r.profile, ends, middle))
+        for id_, r in revolutions.items()
+    }
+
+
+def _split_chain(chain: tuple[str, ...], ends: set[str], middle: str) -> tuple[str, ...]:
+    """A chain of vertices with one more where the split edge was passed."""
+    longer: list[str] = []
+    for v, w in pairwise(chain):
+        longer += [v, middle] if {v, w} == ends else [v]
+    return (*longer, chain[-1])
 
 
 def _split_annotations(graph: SketchGraph, edge: str, half: str, far: str) -> dict[str, Annotation]:

@@ -52,6 +52,8 @@ DATA_SIDE = {
     "values",
     "editing",
     "annotating",
+    "rounds",
+    "listing",
 }
 
 

@@ -20,7 +20,7 @@ SHELF = "v5 v6 v7 v8 v5"
 def test_bookshelf_drawn_by_hand_lifts_as_the_example_does():
     example = load_sketch(EXAMPLES / "bookshelf" / "bookshelf.sketch.json")
     asked, gestures = [], []
-    drawing = Drawing(SketchGraph(photo=example.photo), Listener(length_wanted=asked.append))
+    drawing = Drawing(SketchGraph(photo=example.photo), Listener(asked=asked.append))
 
     def click(*vertices):
         gestures.append(vertices)
@@ -45,7 +45,7 @@ def test_bookshelf_drawn_by_hand_lifts_as_the_example_does():
         click(vertex)
     take("length")
     click("v1", "v2")
-    drawing.set_length(asked[0], 210.0)
+    drawing.answer(asked[0], 210.0)
 
     solution, expected = solve(drawing.graph), solve(example)
     assert solution.status.value == "converged", solution.message

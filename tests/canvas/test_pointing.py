@@ -9,6 +9,7 @@ from incontext.solver.graph import SketchGraph
 from incontext.workbench.canvas.hit_testing import corner_at, edge_at, inside_box
 from incontext.workbench.canvas.lengths import exact_text, parse_length
 from incontext.workbench.canvas.plane import foot, is_inside
+from incontext.workbench.canvas.preview import Selection
 from incontext.workbench.canvas.snapping import Snap, SnapKind, place, snap
 from incontext.workbench.canvas.suggestions import corners_of, quad_around, quads
 
@@ -43,7 +44,7 @@ def test_edge_is_hit_beside_its_inside_only(cross):
 
 
 def test_box_takes_whole_edges(cross):
-    assert inside_box(cross, (60, 10), (-10, -10)) == ({"m", "r"}, {"er"})
+    assert inside_box(cross, (60, 10), (-10, -10)) == Selection(frozenset("mr"), frozenset(("er",)))
 
 
 def test_snapping_prefers_vertices_then_midpoints_then_edges(cross):

@@ -9,6 +9,7 @@ from incontext.solver.graph import SketchGraph
 from incontext.solver.parsing import check_references
 from incontext.workbench.canvas.drawing import Drawing, Listener
 from incontext.workbench.canvas.preview import Selection
+from incontext.workbench.canvas.questions import About, Question
 from incontext.workbench.canvas.snapping import SnapKind
 from incontext.workbench.canvas.tools import KEYS, TOOLS
 from incontext.workbench.canvas.tools.base import Pointer
@@ -24,7 +25,7 @@ class Hand:
 
     def __init__(self, graph=SQUARE, tool="select"):
         self.words, self.asked = [], []
-        self.drawing = Drawing(graph, Listener(self._edited, length_wanted=self.asked.append))
+        self.drawing = Drawing(graph, Listener(self._edited, asked=self.asked.append))
         self.drawing.use(tool)
 
     def _edited(self, graph, words):
@@ -176,9 +177,13 @@ def test_length_is_asked_for_and_set():
     hand = Hand(tool="length")
     hand.click(130, 103)
     hand.click(300, 300)
-    assert hand.asked == ["e1"]
-    hand.drawing.set_length("e1", 210.0)
+    assert hand.asked == [Question(About.EDGE, "e1", (150, 100), None)]
+    hand.drawing.answer(hand.asked[0], 210.0)
     assert hand.graph.annotations["a1"] == Length("e1", 210.0)
+    hand.click(130, 103)
+    assert hand.asked[1].said_mm == 210.0
+    hand.drawing.answer(hand.asked[1], None)
+    assert not hand.graph.annotations
 
 
 @pytest.mark.parametrize(("tool", "kind"), [("parallel", Parallel), ("equal_length", EqualLength)])

@@ -15,8 +15,12 @@ from dataclasses import dataclass
 
 from ...solver.annotating import set_length
 from ...solver.editing import delete, toggle_construction
-from ...solver.graph import SketchGraph
+from ...solver.graph import Face, SketchGraph
+from ...solver.listing import Choice, set_thickness
+from ...solver.rounds import set_diameter
 from .preview import Preview, Selection
+from .questions import About, Question
+from .solved import Solved, face_choices
 from .tools import TOOLS
 from .tools.base import Pointer, Tool
 
@@ -27,11 +31,11 @@ def _nothing(*_: object) -> None:
 
 @dataclass(slots=True)
 class Listener:
-    """Who is told: of an edit, of anything to be painted anew, of a length to be asked for."""
+    """Who is told: of an edit, of anything to be painted anew, of what is to be asked."""
 
     edited: Callable[[SketchGraph, str], None] = _nothing
     changed: Callable[[], None] = _nothing
-    length_wanted: Callable[[str], None] = _nothing
+    asked: Callable[[Question], None] = _nothing
 
 
 class Drawing:
@@ -48,6 +52,7 @@ class Drawing:
         self._committed = self._graph = graph
         self._selection = Selection()
         self._pointer: Pointer | None = None
+        self._solved: Solved | None = None
         self._tool: Tool = TOOLS["select"](self)
 
     @property
@@ -101,11 +106,32 @@ class Drawing:
         )
         self._listener.changed()
 
-    def ask_for_length(self, edge: str) -> None:
-        """Have a person asked for an edge's length."""
-        self._listener.length_wanted(edge)
+    def ask(self, question: Question) -> None:
+        """Have a person asked."""
+        self._listener.asked(question)
+
+    @property
+    def solved(self) -> Solved | None:
+        """The last good solution; the drawing may have gone on since."""
+        return self._solved
+
+    @property
+    def faces(self) -> dict[str, Face]:
+        """The faces of which something can be said, see `solved.face_choices`."""
+        return face_choices(self._committed, self._solved)
+
+    def choice(self, face: str) -> Choice:
+        """A face of `faces`, of which something is to be said."""
+        if self._solved is None:
+            return Choice(face, {}, {})
+        return Choice(face, self._solved.found, self._solved.solution.vertices_mm)
 
     # For the view
+
+    def set_solved(self, solved: Solved | None) -> None:
+        """Take another solution."""
+        self._solved = solved
+        self._listener.changed()
 
     @property
     def tool(self) -> Tool:
@@ -182,7 +208,13 @@ class Drawing:
             edges = sorted(self._selection.edges)
             self.commit(toggle_construction(self._graph, edges), "Change construction")
 
-    def set_length(self, edge: str, length_mm: float | None) -> None:
-        """Say how long an edge is."""
-        if edge in self._committed.edges:
-            self.commit(set_length(self._committed, edge, length_mm), "Set length")
+    def answer(self, question: Question, length_mm: float | None) -> None:
+        """Say how long, how wide or how thick something is; None takes it back."""
+        graph, target = self._committed, question.target
+        if question.about is About.EDGE and target in graph.edges:
+            self.commit(set_length(graph, target, length_mm), "Set length")
+        elif question.about is About.CIRCLE and target in graph.circles:
+            self.commit(set_diameter(graph, target, length_mm), "Set diameter")
+        elif question.about is About.FACE and target in self.faces:
+            thicker = set_thickness(graph, self.choice(target), length_mm)
+            self.commit(thicker, "Set thickness")

@@ -11,14 +11,20 @@ corner
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from .plane import direction, foot
+from .preview import Selection
+from .symbols import ellipse
 
 if TYPE_CHECKING:
     from ...solver.graph import Point, SketchGraph
 
 Corner = tuple[str, str, str]
+#: A circle, its axis "a" or "b", and which end of it, 0 or 1.
+AxisEnd = tuple[str, str, int]
 
 
 def vertex_at(
@@ -55,20 +61,51 @@ def edge_at(
     return None if nearest is None or distance(nearest) > reach_px else nearest
 
 
+def circle_at(
+    graph: SketchGraph, point_px: Point, reach_px: float, but: frozenset[str] = frozenset()
+) -> str | None:
+    """The circle whose outline is nearest to a photo position, if it is within reach."""
+
+    def distance(circle: str) -> float:
+        line = ellipse(graph.circles[circle].a, graph.circles[circle].b)
+        return min(math.dist(point_px, foot(point_px, p, q)) for p, q in pairwise(line))
+
+    others = (c for c in graph.circles if c not in but)
+    nearest = min(others, key=distance, default=None)
+    return None if nearest is None or distance(nearest) > reach_px else nearest
+
+
+def axis_end_at(
+    graph: SketchGraph, point_px: Point, reach_px: float, of: Iterable[str]
+) -> AxisEnd | None:
+    """The axis end of some circles that is nearest to a photo position, if it is within reach."""
+    ends = [
+        (math.dist(place, point_px), (circle, axis, end))
+        for circle in sorted(of)
+        for axis in ("a", "b")
+        for end, place in enumerate(getattr(graph.circles[circle], axis))
+    ]
+    distance, nearest = min(ends, default=(math.inf, None))
+    return nearest if distance <= reach_px else None
+
+
 def nearest_on(graph: SketchGraph, edge: str, point_px: Point) -> Point:
     """The place of an edge that is nearest to a photo position."""
     v, w = graph.edges[edge]
     return foot(point_px, graph.vertices[v], graph.vertices[w])
 
 
-def inside_box(graph: SketchGraph, a: Point, b: Point) -> tuple[frozenset[str], frozenset[str]]:
-    """The vertices and the whole edges inside an upright box, by two opposite corners of it."""
+def inside_box(graph: SketchGraph, a: Point, b: Point) -> Selection:
+    """The vertices, whole edges and circles in an upright box, by two opposite corners of it."""
     (left, right), (top, bottom) = sorted((a[0], b[0])), sorted((a[1], b[1]))
-    inside = {
-        id_ for id_, (u, v) in graph.vertices.items() if left <= u <= right and top <= v <= bottom
-    }
+
+    def is_in(point_px: Point) -> bool:
+        return left <= point_px[0] <= right and top <= point_px[1] <= bottom
+
+    inside = {id_ for id_, place in graph.vertices.items() if is_in(place)}
     edges = {e for e, ends in graph.edges.items() if inside.issuperset(ends)}
-    return frozenset(inside), frozenset(edges)
+    circles = {c for c, drawn in graph.circles.items() if all(map(is_in, (*drawn.a, *drawn.b)))}
+    return Selection(frozenset(inside), frozenset(edges), circles=frozenset(circles))
 
 
 def corner_at(graph: SketchGraph, point_px: Point, reach_px: float) -> Corner | None:

@@ -1,41 +1,50 @@
-"""The small field over an edge in which its length is typed."""
+"""The small field over the photo in which a length, a diameter or a thickness is typed."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
 from . import style
-from .lengths import parse_length
+from .lengths import exact_text, parse_length
 from .qt import QtCore, QtGui
+from .questions import About, Question
 
 _Qt = QtCore.Qt
 
+_EXAMPLES = {
+    About.EDGE: "210, 21 cm, 3/4 in",
+    About.CIRCLE: "90, 9 cm, 3/4 in",
+    About.FACE: "3, 0.5 cm, 1/8 in",
+}
+
 
 class LengthEditor(QtGui.QLineEdit):
-    """Opens over an edge; Enter says the length, Escape or a click elsewhere says nothing.
+    """Opens where it is asked; Enter says the length, Escape or a click elsewhere says nothing.
 
     Parameters
     ----------
     parent : QWidget
         What it lies on.
     said : callable
-        Takes the edge, and its length in mm or None where the field was emptied.
+        Takes the question, and the length in mm or None where the field was emptied.
     """
 
-    def __init__(self, parent: QtGui.QWidget, said: Callable[[str, float | None], None]) -> None:
+    def __init__(
+        self, parent: QtGui.QWidget, said: Callable[[Question, float | None], None]
+    ) -> None:
         super().__init__(parent)
         self._said = said
-        self._edge = ""
+        self._question: Question | None = None
         self.setFixedWidth(96)
-        self.setPlaceholderText("210, 21 cm, 3/4 in")
         self.textEdited.connect(lambda _: self._show_fault(""))
         self.hide()
 
-    def open(self, edge: str, text: str, middle: QtCore.QPoint) -> None:
-        """Ask for the length of an edge, at the middle of it on the screen."""
-        self._edge = edge
+    def open(self, question: Question, middle: QtCore.QPoint) -> None:
+        """Ask, at a place on the screen."""
+        self._question = question
         self._show_fault("")
-        self.setText(text)
+        self.setPlaceholderText(_EXAMPLES[question.about])
+        self.setText("" if question.said_mm is None else exact_text(question.said_mm))
         self.selectAll()
         area = self.parentWidget().rect()
         self.adjustSize()
@@ -62,7 +71,8 @@ class LengthEditor(QtGui.QLineEdit):
             self._show_fault(str(error))
             return
         self.close_unsaid()
-        self._said(self._edge, length)
+        if self._question is not None:
+            self._said(self._question, length)
 
     def _show_fault(self, words: str) -> None:
         """Say what is wrong with the text; nothing where nothing is."""

@@ -24,7 +24,7 @@ class Marks:
     right_angles : mapping of annotation to (vertex, vertex, vertex)
         The corner and the other ends of its two edges.
     equal_lengths, parallels : mapping of edge to count
-    lengths : mapping of edge to text
+    lengths, diameters, thicknesses : mapping of edge, circle or face to text
     ground : frozenset of vertices
     """
 
@@ -32,6 +32,8 @@ class Marks:
     equal_lengths: dict[str, int] = field(default_factory=dict)
     parallels: dict[str, int] = field(default_factory=dict)
     lengths: dict[str, str] = field(default_factory=dict)
+    diameters: dict[str, str] = field(default_factory=dict)
+    thicknesses: dict[str, str] = field(default_factory=dict)
     ground: frozenset[str] = frozenset()
 
 
@@ -43,6 +45,15 @@ def marks_of(graph: SketchGraph) -> Marks:
         equal_lengths=_numbered(graph, "equal_length"),
         parallels=_numbered(graph, "parallel"),
         lengths={a.edge: length_text(a.length_mm) for a in graph.annotations_of("length").values()},
+        diameters={
+            a.circle: f"\N{DIAMETER SIGN} {length_text(a.diameter_mm)}"
+            for a in graph.annotations_of("diameter").values()
+        },
+        thicknesses={
+            id_: f"t {length_text(face.thickness_mm)}"
+            for id_, face in (graph.faces or {}).items()
+            if face.thickness_mm is not None
+        },
         ground=frozenset(ground),
     )
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from ...solver.annotations import targets_of
 from . import style, symbols
 from .marks import Marks
+from .plaques import paint_plaques
 from .qt import QtCore, QtGui
 
 if TYPE_CHECKING:
@@ -61,7 +62,7 @@ def paint(painter: QtGui.QPainter, scene: Scene) -> None:
     _paint_edges(painter, scene)
     _paint_marks(painter, scene)
     _paint_vertices(painter, scene)
-    _paint_lengths(painter, scene)
+    paint_plaques(painter, scene)
 
 
 def _paint_left_out(painter: QtGui.QPainter, scene: Scene) -> None:
@@ -70,8 +71,13 @@ def _paint_left_out(painter: QtGui.QPainter, scene: Scene) -> None:
     painter.setPen(_Qt.NoPen)
     painter.setBrush(QtGui.QBrush(colour, _Qt.BDiagPattern))
     for face in (scene.graph.faces or {}).values():
-        if not face.included and all(v in scene.screen for v in face.loop):
-            painter.drawPolygon(polygon([scene.screen[v] for v in face.loop]))
+        if not face.included:
+            # Where loops overlap, the hole is: odd and even, Qt's way if not told otherwise.
+            path = QtGui.QPainterPath()
+            for loop in face.loops:
+                path.addPolygon(polygon([scene.screen[v] for v in loop]))
+                path.closeSubpath()
+            painter.drawPath(path)
 
 
 def _paint_edges(painter: QtGui.QPainter, scene: Scene) -> None:
@@ -129,28 +135,6 @@ def _paint_vertices(painter: QtGui.QPainter, scene: Scene) -> None:
             painter.drawRect(QtCore.QRectF(x - side / 2, y - side / 2, side, side))
         else:
             painter.drawEllipse(QtCore.QPointF(x, y), radius, radius)
-
-
-def _paint_lengths(painter: QtGui.QPainter, scene: Scene) -> None:
-    """Lengths as text on a white plaque beside their edge, away from the rest of the drawing."""
-    if not scene.marks.lengths:
-        return
-    font = painter.font()
-    font.setPixelSize(style.TEXT_PX)
-    font.setBold(True)
-    painter.setFont(font)
-    xs, ys = zip(*scene.screen.values(), strict=True)
-    centre = (sum(xs) / len(xs), sum(ys) / len(ys))
-    for edge, text in scene.marks.lengths.items():
-        size = painter.fontMetrics().size(0, text)
-        plaque = QtCore.QRectF(0, 0, size.width() + 10, size.height() + 4)
-        extent = (plaque.width(), plaque.height())
-        place = symbols.beside(*scene.ends(edge), centre, extent, style.PLAQUE_DISTANCE_PX)
-        plaque.moveCenter(QtCore.QPointF(*place))
-        painter.setPen(QtGui.QPen(QtGui.QColor(style.ANNOTATION), 1))
-        painter.setBrush(QtGui.QColor(style.CASING))
-        painter.drawRoundedRect(plaque, 3, 3)
-        painter.drawText(plaque, _Qt.AlignCenter, text)
 
 
 def stroke(

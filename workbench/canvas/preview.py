@@ -3,29 +3,40 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-from .hit_testing import Corner
-from .plane import Point
-from .snapping import Snap
+if TYPE_CHECKING:
+    from .hit_testing import Corner
+    from .plane import Point
+    from .snapping import Snap
 
 
 @dataclass(frozen=True, slots=True)
 class Selection:
-    """Vertices and edges that are selected."""
+    """Vertices, edges and circles that are selected."""
 
     vertices: frozenset[str] = frozenset()
     edges: frozenset[str] = frozenset()
+    circles: frozenset[str] = frozenset()
 
     def __bool__(self) -> bool:
-        return bool(self.vertices or self.edges)
+        return bool(self.vertices or self.edges or self.circles)
 
     def toggled(self, other: Selection) -> Selection:
         """With what is in one of the two, without what is in both."""
-        return Selection(self.vertices ^ other.vertices, self.edges ^ other.edges)
+        return Selection(
+            vertices=self.vertices ^ other.vertices,
+            edges=self.edges ^ other.edges,
+            circles=self.circles ^ other.circles,
+        )
 
     def united(self, other: Selection) -> Selection:
         """With what is in either of the two."""
-        return Selection(self.vertices | other.vertices, self.edges | other.edges)
+        return Selection(
+            vertices=self.vertices | other.vertices,
+            edges=self.edges | other.edges,
+            circles=self.circles | other.circles,
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,6 +55,10 @@ class Preview:
         The box that is drawn to select.
     snap : Snap or None
         Where a press would land.
+    areas : tuple of loops
+        Faces that a press would take.
+    guides : tuple of lines
+        Fine lines that explain what is meant: an axis, say.
     """
 
     lit: Selection = Selection()
@@ -51,3 +66,5 @@ class Preview:
     corners: tuple[Corner, ...] = ()
     box: tuple[Point, Point] | None = None
     snap: Snap | None = None
+    areas: tuple[tuple[Point, ...], ...] = ()
+    guides: tuple[tuple[Point, ...], ...] = ()

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from . import style, symbols
 from .overlay import Scene, polygon, stroke
+from .plane import middle
 from .qt import QtCore, QtGui
 from .snapping import SnapKind
 
@@ -28,18 +29,34 @@ class Work:
 
 
 def paint_below(painter: QtGui.QPainter, scene: Scene, work: Work) -> None:
-    """Paint halos behind edges that are lit or selected."""
+    """Paint halos behind edges and circles that are lit or selected, and faces that are lit."""
     painter.setRenderHint(QtGui.QPainter.Antialiasing)
-    _halos(painter, scene, work.preview.lit.edges, style.HOVER)
-    _halos(painter, scene, work.selection.edges, style.SELECTED)
+    _areas(painter, [[work.on_screen(p) for p in area] for area in work.preview.areas])
+    _halos(painter, scene, work.preview.lit, style.HOVER)
+    _halos(painter, scene, work.selection, style.SELECTED)
 
 
-def _halos(painter: QtGui.QPainter, scene: Scene, edges: frozenset[str], colour: str) -> None:
+def _areas(painter: QtGui.QPainter, areas: list[list[Point]]) -> None:
+    """Faces filled, with a dot in their middle: there is the place to point at."""
+    fill = QtGui.QColor(style.HOVER)
+    fill.setAlpha(style.AREA_ALPHA)
+    for area in areas:
+        painter.setPen(_Qt.NoPen)
+        painter.setBrush(fill)
+        painter.drawPolygon(polygon(area))
+        painter.setBrush(QtGui.QColor(style.HOVER_LINE))
+        painter.drawEllipse(QtCore.QPointF(*middle(area)), style.DOT_PX, style.DOT_PX)
+
+
+def _halos(painter: QtGui.QPainter, scene: Scene, chosen: Selection, colour: str) -> None:
     pen = QtGui.QPen(QtGui.QColor(colour), style.HALO_PX)
     pen.setCapStyle(_Qt.RoundCap)
     painter.setPen(pen)
-    for edge in edges & set(scene.graph.edges):
+    painter.setBrush(_Qt.NoBrush)
+    for edge in chosen.edges & set(scene.graph.edges):
         painter.drawPolyline(polygon(scene.ends(edge)))
+    for circle in chosen.circles & set(scene.circles):
+        painter.drawPolyline(polygon(scene.circles[circle]))
 
 
 def paint_above(painter: QtGui.QPainter, scene: Scene, work: Work) -> None:

@@ -42,11 +42,13 @@ HALO_PX = 9.0
 CONFLICT_PX = 12.0
 """Of the bands behind edges of which annotations say what cannot be."""
 SNAP_PX = 7.0
+DOT_PX = 3.0
 
 #: A vertex is grabbed within this distance of the pointer.
 REACH_PX = 9.0
 CASING_ALPHA = 225
 BOX_ALPHA = 40
+AREA_ALPHA = 80
 CONFLICT_ALPHA = 190
 LEFT_OUT_ALPHA = 70
 """Of the hatching over faces left out; 255 is opaque."""

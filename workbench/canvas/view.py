@@ -8,15 +8,16 @@ from typing import TYPE_CHECKING
 from . import keys, overlay, previews, style, symbols
 from .drawing import Drawing, Listener
 from .length_editor import LengthEditor
-from .lengths import exact_text
 from .marks import marks_of
 from .photo_view import PhotoView
 from .qt import QtCore, QtGui
+from .questions import Question
 from .tools import KEYS
 from .tools.base import Pointer
 
 if TYPE_CHECKING:
     from ...solver.graph import Point, SketchGraph
+    from .solved import Solved
 
 _Qt = QtCore.Qt
 
@@ -56,9 +57,9 @@ class SketchView(PhotoView):
         self.invitation = ""
         self._findings = overlay.Findings()
         self._hint = ""
-        listener = Listener(self.graph_edited.emit, self._refresh, self._ask_for_length)
+        listener = Listener(self.graph_edited.emit, self._refresh, self._ask)
         self._drawing = Drawing(graph, listener)
-        self._editor = LengthEditor(self.viewport(), self._drawing.set_length)
+        self._editor = LengthEditor(self.viewport(), self._drawing.answer)
         self._refresh()
         self.set_photo(image, sketch_size(graph))
 
@@ -80,6 +81,10 @@ class SketchView(PhotoView):
     def findings(self) -> overlay.Findings:
         """Which vertices are not held yet, and which annotations disagree."""
         return self._findings
+
+    def set_solved(self, solved: Solved | None) -> None:
+        """Take the last good solution: for faces, the camera and what is hidden."""
+        self._drawing.set_solved(solved)
 
     @property
     def tool_name(self) -> str:
@@ -208,12 +213,9 @@ class SketchView(PhotoView):
         if self.tool_name != before:
             self.tool_changed.emit(self.tool_name)
 
-    def _ask_for_length(self, edge: str) -> None:
-        v, w = self.graph.edges[edge]
-        (x1, y1), (x2, y2) = (self._on_screen(self.graph.vertices[end]) for end in (v, w))
-        lengths = self.graph.annotations_of("length").values()
-        said = next((exact_text(a.length_mm) for a in lengths if a.edge == edge), "")
-        self._editor.open(edge, said, QtCore.QPoint(round((x1 + x2) / 2), round((y1 + y2) / 2)))
+    def _ask(self, question: Question) -> None:
+        x, y = self._on_screen(question.at_px)
+        self._editor.open(question, QtCore.QPoint(round(x), round(y)))
 
 
 def sketch_size(graph: SketchGraph) -> tuple[float, float]:

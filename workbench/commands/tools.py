@@ -121,8 +121,28 @@ class Length(ToolCommand):
     NAME = "InContext_ToolLength"
     ICON = "InContext_ToolLength"
     TOOL, KEY = "length", "D"
-    MENU_TEXT = "Length"
-    TOOLTIP = "Click an edge and type its length: 210, 21 cm or 3/4 in"
+    MENU_TEXT = "Length, diameter"
+    TOOLTIP = "Click an edge or a circle and type its size: 210, 21 cm or 3/4 in"
+
+
+class Thickness(ToolCommand):
+    """Say how thick a face is."""
+
+    NAME = "InContext_ToolThickness"
+    ICON = "InContext_ToolThickness"
+    TOOL, KEY = "thickness", "T"
+    MENU_TEXT = "Thickness"
+    TOOLTIP = "Click in the middle of a face and type how thick its plate is"
+
+
+class LeaveOut(ToolCommand):
+    """Leave faces out."""
+
+    NAME = "InContext_ToolLeaveOut"
+    ICON = "InContext_ToolLeaveOut"
+    TOOL, KEY = "leave_out", "O"
+    MENU_TEXT = "Leave face out"
+    TOOLTIP = "Click in the middle of a face that stays open, such as the front of a shelf"
 
 
 TOOL_COMMANDS: tuple[type[ToolCommand], ...] = (
@@ -134,6 +154,8 @@ TOOL_COMMANDS: tuple[type[ToolCommand], ...] = (
     EqualLength,
     Ground,
     Length,
+    Thickness,
+    LeaveOut,
 )
 
 

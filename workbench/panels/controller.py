@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from .. import host
 from ..canvas.photo import PhotoError, load_photo
+from ..canvas.solved import Solved
 from ..canvas.view import sketch_size
 from ..features import pipeline
 from ..features.lifted_model import is_lifted_model
@@ -31,16 +32,33 @@ class SketchController:
         self.tab.view.graph_edited.connect(self.write)
         self.tab.view.undo_asked.connect(self.undo)
         self.tab.view.redo_asked.connect(self.redo)
+        self._solved: Solved | None = None
         self.show_outcome()
 
     def write(self, graph: SketchGraph, words: str) -> None:
         """Put an edited graph into the document, as one step to undo, and recompute."""
         from ...solver.serialise import sketch_to_text
 
+        graph = self._with_new_faces(graph)
         document = self.obj.Document
         with host.transaction(document, host.translate("InContext", words)):
             self.obj.Sketch = sketch_to_text(graph)
             document.recompute()
+
+    def _with_new_faces(self, graph: SketchGraph) -> SketchGraph:
+        """The graph with the faces that came with an edit, where it lists its faces."""
+        from ...solver.listing import with_new_faces
+        from ...solver.serialise import sketch_to_text
+
+        if graph.faces is None:
+            return graph
+        try:
+            sides = (pipeline.graph_of(self.obj.Sketch), graph)
+            before, after = ((g, pipeline.solution_of(sketch_to_text(g))) for g in sides)
+            return with_new_faces(before, after)
+        except known_problems():
+            # What it is will be told when the document is recomputed.
+            return graph
 
     def undo(self) -> None:
         """Undo the document's last step, whatever it was."""
@@ -87,9 +105,10 @@ class SketchController:
         self.tab.show_outcome(joined, good=True)
 
     def _solution(self) -> Solution | None:
-        """The sketch lifted to 3D, also before there is an object for it; None for no edges."""
+        """The sketch lifted to 3D, also before there is an object for it; None for nothing."""
         try:
-            if not pipeline.graph_of(self.obj.Sketch).edges:
+            graph = pipeline.graph_of(self.obj.Sketch)
+            if not graph.edges and not graph.circles:
                 return None
             return pipeline.solution_of(self.obj.Sketch)
         except known_problems():
@@ -97,10 +116,19 @@ class SketchController:
             return None
 
     def _show_findings(self, solution: Solution | None) -> None:
+        self._take_solved(solution)
         if solution is None:
             self.tab.view.set_findings((), ())
         else:
             self.tab.view.set_findings(solution.report.loose, solution.report.conflicts)
+
+    def _take_solved(self, solution: Solution | None) -> None:
+        """Give the tools the last good solution; an unfinished edit does not take it away."""
+        if solution is not None and solution.status.value == "converged":
+            self._solved = Solved(pipeline.graph_of(self.obj.Sketch), solution)
+        elif solution is None:
+            self._solved = None
+        self.tab.view.set_solved(self._solved)
 
 
 def _dependents(obj: Any) -> list[Any]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from .base import Tool
 from .equal_length import EqualLengthTool
+from .faces import LeaveOutTool, ThicknessTool
 from .ground import GroundTool
 from .length import LengthTool
 from .line import LineTool
@@ -24,6 +25,8 @@ TOOLS: dict[str, type[Tool]] = {
         EqualLengthTool,
         GroundTool,
         LengthTool,
+        ThicknessTool,
+        LeaveOutTool,
     )
 }
 

@@ -53,7 +53,7 @@ class GroundTool(Tool):
         graph = self.drawing.graph
         if self._pressed_at is not None:
             self._box = (self._pressed_at, pointer.point_px)
-            self._lit = inside_box(graph, *self._box)[0]
+            self._lit = inside_box(graph, *self._box).vertices
         else:
             vertex = vertex_at(graph, pointer.point_px, 1.5 * pointer.reach_px)
             self._lit = frozenset() if vertex is None else frozenset((vertex,))

@@ -1,11 +1,13 @@
-"""How long an edge is."""
+"""How long an edge is, how wide a circle."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ..hit_testing import edge_at
+from ..hit_testing import circle_at, edge_at
+from ..plane import middle
 from ..preview import Preview, Selection
+from ..questions import About, Question
 from .base import Pointer, Tool
 
 if TYPE_CHECKING:
@@ -13,35 +15,48 @@ if TYPE_CHECKING:
 
 
 class LengthTool(Tool):
-    """Asks for the length of the edge that is clicked."""
+    """Asks for the length of the edge, or the diameter of the circle, that is clicked."""
 
     NAME = "length"
     KEY = "D"
-    TITLE = "Length"
+    TITLE = "Length, diameter"
 
     def __init__(self, drawing: Drawing) -> None:
         super().__init__(drawing)
-        self._edge: str | None = None
+        self._lit = Selection()
 
     @property
     def hint(self) -> str:
         """See `Tool`."""
-        return "Click an edge, type its length (210, 21 cm, 3/4 in) and Enter; empty removes it"
+        return "Click an edge or a circle, type its size (210, 21 cm, 3/4 in); empty removes it"
 
     def preview(self) -> Preview:
         """See `Tool`."""
-        edges = frozenset() if self._edge is None else frozenset((self._edge,))
-        return Preview(lit=Selection(edges=edges))
+        return Preview(lit=self._lit)
 
     def move(self, pointer: Pointer) -> None:
         """See `Tool`."""
-        self._edge = edge_at(self.drawing.graph, pointer.point_px, 1.5 * pointer.reach_px)
+        graph, reach = self.drawing.graph, 1.5 * pointer.reach_px
+        edge = edge_at(graph, pointer.point_px, reach)
+        circle = None if edge else circle_at(graph, pointer.point_px, reach)
+        self._lit = Selection(
+            edges=frozenset(filter(None, (edge,))), circles=frozenset(filter(None, (circle,)))
+        )
 
     def press(self, pointer: Pointer) -> None:
         """See `Tool`."""
-        if self._edge is not None:
-            self.drawing.ask_for_length(self._edge)
+        graph = self.drawing.graph
+        for edge in self._lit.edges:
+            lengths = graph.annotations_of("length").values()
+            said = next((a.length_mm for a in lengths if a.edge == edge), None)
+            at = middle([graph.vertices[v] for v in graph.edges[edge]])
+            self.drawing.ask(Question(About.EDGE, edge, at, said))
+        for circle in self._lit.circles:
+            diameters = graph.annotations_of("diameter").values()
+            said = next((a.diameter_mm for a in diameters if a.circle == circle), None)
+            drawn = graph.circles[circle]
+            self.drawing.ask(Question(About.CIRCLE, circle, middle(drawn.a), said))
 
     def graph_replaced(self) -> None:
         """See `Tool`."""
-        self._edge = None
+        self._lit = Selection()

@@ -150,6 +150,6 @@ class SelectTool(Tool):
     def _take_box(self, pointer: Pointer) -> None:
         inside = Selection()
         if pointer.is_far_from(self._pressed_at):
-            inside = Selection(*inside_box(self.drawing.graph, self._pressed_at, pointer.point_px))
+            inside = inside_box(self.drawing.graph, self._pressed_at, pointer.point_px)
         chosen = self.drawing.selection
         self.drawing.select(chosen.united(inside) if pointer.adding else inside)

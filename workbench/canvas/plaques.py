@@ -1,0 +1,52 @@
+"""Paints sizes as text on white plaques: lengths, diameters, thicknesses."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from . import style, symbols
+from .plane import middle
+from .qt import QtCore, QtGui
+
+if TYPE_CHECKING:
+    from .overlay import Scene
+    from .symbols import Point
+
+_Qt = QtCore.Qt
+
+
+def paint_plaques(painter: QtGui.QPainter, scene: Scene) -> None:
+    """Paint a plaque for each size that is said."""
+    marks = scene.marks
+    if not (marks.lengths or marks.diameters or marks.thicknesses):
+        return
+    font = painter.font()
+    font.setPixelSize(style.TEXT_PX)
+    font.setBold(True)
+    painter.setFont(font)
+    centre = middle([*scene.screen.values(), *(p for c in scene.circles.values() for p in c)])
+    for edge, text in marks.lengths.items():
+        room = _room(painter, text)
+        place = symbols.beside(*scene.ends(edge), centre, room, style.PLAQUE_DISTANCE_PX)
+        _plaque(painter, text, place)
+    for circle, text in marks.diameters.items():
+        line = scene.circles[circle]
+        top = min(line, key=lambda p: p[1])
+        _plaque(painter, text, (top[0], top[1] - style.PLAQUE_DISTANCE_PX - 8))
+    for face, text in marks.thicknesses.items():
+        loop = (scene.graph.faces or {})[face].loop
+        _plaque(painter, text, middle([scene.screen[v] for v in loop]))
+
+
+def _room(painter: QtGui.QPainter, text: str) -> Point:
+    size = painter.fontMetrics().size(0, text)
+    return (size.width() + 10, size.height() + 4)
+
+
+def _plaque(painter: QtGui.QPainter, text: str, place: Point) -> None:
+    plaque = QtCore.QRectF(0, 0, *_room(painter, text))
+    plaque.moveCenter(QtCore.QPointF(*place))
+    painter.setPen(QtGui.QPen(QtGui.QColor(style.ANNOTATION), 1))
+    painter.setBrush(QtGui.QColor(style.CASING))
+    painter.drawRoundedRect(plaque, 3, 3)
+    painter.drawText(plaque, _Qt.AlignCenter, text)

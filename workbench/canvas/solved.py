@@ -1,0 +1,87 @@
+"""The last good solution as the canvas uses it: pure, no Qt.
+
+Terms
+-----
+place
+    Photo position of a vertex: as it is drawn now, else where the solution is seen.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ...solver.listing import choices, found_faces
+from .plane import Point, is_inside, middle
+
+if TYPE_CHECKING:
+    from ...solver.graph import Face, SketchGraph
+    from ...solver.solution import Solution
+
+
+@dataclass(frozen=True, eq=False)
+class Solved:
+    """A sketch that was solved, with its solution.
+
+    Parameters
+    ----------
+    graph : SketchGraph
+        What was solved; the drawing may have gone on since.
+    solution : Solution
+        With a camera.
+    """
+
+    graph: SketchGraph
+    solution: Solution
+
+    @cached_property
+    def found(self) -> Mapping[str, Face]:
+        """All minimal planar loops, see `listing.found_faces`."""
+        return found_faces(self.graph, self.solution)
+
+    @cached_property
+    def seen(self) -> Mapping[str, Point]:
+        """Photo positions of all lifted vertices, mirrored ones too."""
+        return dict(
+            zip(
+                self.solution.vertices_mm,
+                self.on_photo(self.solution.vertices_mm.values()),
+                strict=True,
+            )
+        )
+
+    def on_photo(self, points_mm: Iterable[np.ndarray]) -> list[Point]:
+        """Photo positions of world points."""
+        points = np.array(list(points_mm), dtype=float).reshape(-1, 3)
+        if self.solution.camera is None or not len(points):
+            return []
+        return [(float(u), float(v)) for u, v in self.solution.camera.project(points)]
+
+
+def face_choices(graph: SketchGraph, solved: Solved | None) -> dict[str, Face]:
+    """The faces of which something can be said, by id, see `listing.choices`.
+
+    Loops of a solution that is older than the drawing are there while all their vertices are.
+    """
+    return choices(graph, {} if solved is None else solved.found)
+
+
+def outline(graph: SketchGraph, loop: Iterable[str]) -> tuple[Point, ...]:
+    """The places of a loop's vertices."""
+    return tuple(graph.vertices[v] for v in loop)
+
+
+def face_at(graph: SketchGraph, faces: Mapping[str, Face], point_px: Point) -> str | None:
+    """The face that a photo position means: around it, its middle the nearest ([Lau10] 3.2).
+
+    In a box drawn with its hidden edges every place lies in several; each has a place of its own
+    about its middle.
+    """
+    outlines = {id_: outline(graph, face.loop) for id_, face in faces.items()}
+    around = [id_ for id_, places in outlines.items() if is_inside(point_px, places)]
+    return min(around, key=lambda id_: math.dist(middle(outlines[id_]), point_px), default=None)

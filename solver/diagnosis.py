@@ -93,20 +93,29 @@ def _loose(full: FullProblem, x: Pose, null: Array, names: list[str]) -> tuple[s
 def focal_sigma(full: FullProblem, x: Pose) -> float:
     """Standard error of the log focal length, from the drawing's own misfit."""
     at = full.evaluate(x)
-    A = at.J.T @ at.J + at.G + 1e8 * at.H.T @ at.H
-    unit = np.zeros(len(A))
-    unit[3] = 1.0
-    held = int(np.linalg.matrix_rank(at.H)) if at.H.size else 0
-    spare = max(1, len(at.r) - (len(A) - held) + 1)
+    # In the directions that keep the constraints: weighing these against the drawing instead would
+    # drown what little a view from afar says of its focal length.
+    N = _tangent(at.H)
+    A = N.T @ (at.J.T @ at.J + at.G) @ N
+    spare = max(1, len(at.r) - N.shape[1] + 1)
     noise = max(float(at.r @ at.r) / spare, 1e-14)
     values, vectors = np.linalg.eigh(A)
-    share = vectors.T @ unit
+    share = vectors.T @ N[3]
     floor = 1e-13 * float(values.max())
     if float(np.sum(share[values <= floor] ** 2)) > 1e-6:
         return float("inf")
     variance = noise * float(np.sum(share**2 / np.maximum(values, floor)))
     # d log f = -f d kappa
     return float(np.exp(x.log_focal) * np.sqrt(variance))
+
+
+def _tangent(H: Array) -> Array:
+    """Orthonormal columns that span the null space of H."""
+    if not len(H):
+        return np.eye(H.shape[1])
+    _, s, Vt = np.linalg.svd(H)
+    rank = int(np.count_nonzero(s > NULL_TOLERANCE * max(float(s[0]), 1e-300)))
+    return np.asarray(Vt[rank:].T)
 
 
 def clashing_annotations(graph: SketchGraph) -> tuple[str, ...]:

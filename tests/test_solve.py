@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from asserts import assert_annotations_hold, assert_camera_sees, assert_solved
-from scenes import SHAPES, bookshelf, box, photograph
+from scenes import SHAPES, Views, bookshelf, box, photograph
 
 from incontext.solver import solve
 from incontext.solver.annotations import EqualLength, Ground, Length, Parallel, RightAngle
@@ -69,7 +69,7 @@ def test_ground_decides_between_the_necker_twins():
     wrong = 0
     for seed in range(30):
         rng = np.random.default_rng(seed)
-        photo = photograph(box(), rng, noise=0.01, fov_deg=(20, 30))
+        photo = photograph(box(), rng, noise=0.01, views=Views(fov_deg=(20, 30)))
         solution = solve(photo.graph)
         wrong += solution.camera.position_mm[2] <= 0 or photo.error(solution.vertices_mm) > 0.25
     assert wrong == 0

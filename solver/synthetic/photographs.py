@@ -5,7 +5,7 @@ Terms
 photograph
     A camera looking at the shape from a given elevation, azimuth and field of view; the sketch is
     its projection.
-noise
+hand
     How the drawing differs from the projection, described apart from the scene (COLMAP's idea), so
     that one view can be drawn with many hands.
 """
@@ -16,6 +16,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from ..camera import Camera
 from ..graph import Photo, SketchGraph
@@ -26,16 +27,58 @@ WIDTH, HEIGHT = 1600, 1200
 
 
 @dataclass(frozen=True, slots=True)
-class Noise:
+class Hand:
     """How a drawing differs from the exact projection.
 
     Parameters
     ----------
     vertex_rms : float
-        RMS displacement of each vertex, in parts of the sketch's diagonal.
+        RMS displacement of each vertex, in parts of the sketch's diagonal, independent.
+    tilt_deg : (float, float)
+        Each of the object's three directions is drawn towards a vanishing point that is so many
+        degrees off, between these two: a wrong perspective, drawn consistently.
+    length_off : float
+        Lengths along each direction are drawn wrong by up to this part.
     """
 
     vertex_rms: float = 0.0
+    tilt_deg: tuple[float, float] = (0.0, 0.0)
+    length_off: float = 0.0
+
+    def imagined(self, X: Array, rng: np.random.Generator) -> Array:
+        """The shape (n, 3) as this hand believes that it looks."""
+        if self.tilt_deg == (0.0, 0.0) and self.length_off == 0.0:
+            return X
+        leaning = np.zeros((3, 3))
+        for k in range(3):
+            tilt = np.radians(rng.uniform(*self.tilt_deg))
+            towards = rng.uniform(0, 2 * np.pi)
+            length = 1 + rng.uniform(-self.length_off, self.length_off)
+            leaning[:, k] = length * np.roll(
+                [np.cos(tilt), np.sin(tilt) * np.cos(towards), np.sin(tilt) * np.sin(towards)], k
+            )
+        middle = X.mean(axis=0)
+        return np.asarray((X - middle) @ leaning.T + middle)
+
+
+@dataclass(frozen=True, slots=True)
+class Views:
+    """Where photographs are taken from.
+
+    Parameters
+    ----------
+    elevation_deg, fov_deg : (float, float)
+        Least and largest angle above the ground, and horizontal field of view.
+    roll_deg : float
+        The camera leans to a side by up to so much.
+    off_centre : float
+        The shape's middle is off the photo's by up to this part of half its width and height.
+    """
+
+    elevation_deg: tuple[float, float] = (15.0, 50.0)
+    fov_deg: tuple[float, float] = (25.0, 65.0)
+    roll_deg: float = 0.0
+    off_centre: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -72,46 +115,50 @@ def photograph(
     rng: np.random.Generator,
     *,
     noise: float = 0.0,
-    elevation_deg: tuple[float, float] = (15, 50),
-    fov_deg: tuple[float, float] = (25, 65),
+    hand: Hand | None = None,
+    views: Views | None = None,
     focal_known: bool = False,
 ) -> Photograph:
     """Photograph a shape from a random direction.
 
-    `noise` is the RMS displacement of each vertex in parts of the sketch's diagonal.
+    `noise` stands for a hand that displaces each vertex by so much (RMS), in parts of the sketch's
+    diagonal.
     """
-    camera = random_camera(shape, rng, elevation_deg=elevation_deg, fov_deg=fov_deg)
+    hand = hand or Hand(noise)
+    camera = random_camera(shape, rng, views or Views())
+    imagined = replace(shape, X=hand.imagined(shape.X, rng))
+    graph = with_noise(photograph_exactly(imagined, camera), hand.vertex_rms, rng)
+    if focal_known and graph.photo is not None:
+        graph = replace(graph, photo=replace(graph.photo, focal_px=camera.focal_px))
+    return Photograph(shape, graph, camera)
+
+
+def photograph_exactly(shape: Shape, camera: Camera) -> SketchGraph:
+    """What a camera sees of a shape; its focal length is not told."""
     drawn = camera.project(shape.X)
-    graph = SketchGraph(
-        photo=Photo(None, WIDTH, HEIGHT, camera.focal_px if focal_known else None),
+    return SketchGraph(
+        photo=Photo(None, WIDTH, HEIGHT),
         vertices={v(i): (float(p[0]), float(p[1])) for i, p in enumerate(drawn)},
         edges={f"e{k}": (v(a), v(b)) for k, (a, b) in enumerate(shape.edges)},
         annotations=shape.annotations,
         faces=shape.faces,
     )
-    return Photograph(shape, with_noise(graph, Noise(noise), rng), camera)
 
 
-def with_noise(graph: SketchGraph, noise: Noise, rng: np.random.Generator) -> SketchGraph:
-    """The graph drawn by a hand that is not exact."""
+def with_noise(graph: SketchGraph, vertex_rms: float, rng: np.random.Generator) -> SketchGraph:
+    """The graph with each vertex displaced on its own, RMS in parts of the sketch's diagonal."""
     drawn = np.array(list(graph.vertices.values()))
     diagonal = np.linalg.norm(np.ptp(drawn, axis=0))
-    drawn = drawn + rng.normal(size=drawn.shape) * noise.vertex_rms * diagonal / np.sqrt(2)
+    drawn = drawn + rng.normal(size=drawn.shape) * vertex_rms * diagonal / np.sqrt(2)
     moved = {id_: (float(p[0]), float(p[1])) for id_, p in zip(graph.vertices, drawn, strict=True)}
     return replace(graph, vertices=moved)
 
 
-def random_camera(
-    shape: Shape,
-    rng: np.random.Generator,
-    *,
-    elevation_deg: tuple[float, float] = (15, 50),
-    fov_deg: tuple[float, float] = (25, 65),
-) -> Camera:
+def random_camera(shape: Shape, rng: np.random.Generator, views: Views) -> Camera:
     """A camera that looks at the shape's middle from above and sees all of it."""
-    elevation = np.radians(rng.uniform(*elevation_deg))
+    elevation = np.radians(rng.uniform(*views.elevation_deg))
     azimuth = rng.uniform(0, 2 * np.pi)
-    focal = float(WIDTH / 2 / np.tan(np.radians(rng.uniform(*fov_deg)) / 2))
+    focal = float(WIDTH / 2 / np.tan(np.radians(rng.uniform(*views.fov_deg)) / 2))
     middle = (shape.X.min(axis=0) + shape.X.max(axis=0)) / 2
     level = np.cos(elevation)
     back = np.array([level * np.cos(azimuth), level * np.sin(azimuth), np.sin(elevation)])
@@ -123,4 +170,11 @@ def random_camera(
     distance = rng.uniform(2.2, 3.2) * radius * focal / (WIDTH / 2)
     distance = max(distance, 1.6 * radius)
     center = np.array([WIDTH / 2, HEIGHT / 2])
-    return Camera(focal, center, R, -R @ (middle + distance * back))
+    t = -R @ (middle + distance * back)
+    if views.roll_deg or views.off_centre:
+        aside = views.off_centre * rng.uniform(-1, 1, 2) * center / focal
+        turn = Rotation.from_rotvec([aside[1], -aside[0], 0.0])
+        roll = np.radians(views.roll_deg) * rng.uniform(-1, 1)
+        aim = (Rotation.from_rotvec([0, 0, roll]) * turn).as_matrix()
+        R, t = aim @ R, aim @ t
+    return Camera(focal, center, R, t)

@@ -83,32 +83,50 @@ def prism(name: str, profile: Iterable[tuple[float, float]], depth: float) -> Sh
     return from_loops(name, X, [tuple(range(n)), tuple(range(n, 2 * n)), *sides])
 
 
-def l_shape() -> Shape:
-    """The L of [Lau10], Figures 4, 5 and 7: 12 vertices."""
-    return prism("L", [(0, 0), (200, 0), (200, 60), (80, 60), (80, 180), (0, 180)], 110)
+def l_shape(
+    w: float = 200, h: float = 180, foot: float = 60, back: float = 80, d: float = 110
+) -> Shape:
+    """The L of [Lau10], Figures 4, 5 and 7: 12 vertices; `foot` high, `back` deep."""
+    return prism("L", [(0, 0), (w, 0), (w, foot), (back, foot), (back, h), (0, h)], d)
 
 
-def wedge() -> Shape:
+def wedge(w: float = 160, h: float = 90, d: float = 120) -> Shape:
     """A wedge: one slanted face."""
-    return prism("wedge", [(0, 0), (160, 0), (160, 90)], 120)
+    return prism("wedge", [(0, 0), (w, 0), (w, h)], d)
 
 
-def house() -> Shape:
-    """A box with a saddle roof."""
-    return prism("house", [(0, 0), (160, 0), (160, 100), (80, 160), (0, 100)], 200)
+def house(w: float = 160, d: float = 200, wall: float = 100, roof: float = 160) -> Shape:
+    """A box with a saddle roof; heights of its walls and of its ridge."""
+    return prism("house", [(0, 0), (w, 0), (w, wall), (w / 2, roof), (0, wall)], d)
 
 
-def staircase(steps: int = 3) -> Shape:
+def staircase(steps: int = 3, run: float = 60, rise: float = 40, d: float = 150) -> Shape:
     """Steps of one size."""
-    profile = [(0.0, 0.0), (60.0 * steps, 0.0)]
+    profile = [(0.0, 0.0), (run * steps, 0.0)]
     for k in range(steps, 0, -1):
-        profile += [(60.0 * k, 40.0 * (steps - k + 1)), (60.0 * (k - 1), 40.0 * (steps - k + 1))]
-    return prism("staircase", profile, 150)
+        height = rise * (steps - k + 1)
+        profile += [(run * k, height), (run * (k - 1), height)]
+    return prism("staircase", profile, d)
 
 
-def bookshelf() -> Shape:
+def tapered_tray(
+    w: float = 200, d: float = 140, h: float = 60, slope_x: float = 30, slope_y: float = 20
+) -> Shape:
+    """Wider above than below: no right angle at any corner of its sides, equal slanted edges."""
+    rim = [(-slope_x, -slope_y), (w + slope_x, -slope_y), (w + slope_x, d + slope_y),
+           (-slope_x, d + slope_y)]  # fmt: skip
+    X = [[x, y, 0.0] for x, y in ((0.0, 0.0), (w, 0.0), (w, d), (0.0, d))]
+    shape = from_loops("tapered tray", [*X, *([x, y, h] for x, y in rim)], BOX_LOOPS)
+    edge = {pair: f"e{k}" for k, pair in enumerate(shape.edges)}
+    more: dict[str, Annotation] = {
+        f"par{k}": Parallel((edge[k, k + 1], edge[k + 4, k + 5])) for k in (0, 1)
+    }
+    more["equal"] = EqualLength(tuple(edge[k, k + 4] for k in range(4)))
+    return replace(shape, annotations={**shape.annotations, **more})
+
+
+def bookshelf(w: float = 220, d: float = 190, h: float = 330, s: float = 250) -> Shape:
     """An open box with a shelf: 12 vertices, the side edges split where the shelf meets them."""
-    w, d, h, s = 220.0, 190.0, 330.0, 250.0
     X = [[x, y, z] for z in (0, s, h) for x, y in ((0, 0), (w, 0), (w, d), (0, d))]
     loops = [
         (0, 1, 2, 3), (4, 5, 6, 7), (8, 9, 10, 11),
@@ -120,11 +138,18 @@ def bookshelf() -> Shape:
 
 def organizer(nx: int = 3, ny: int = 2) -> Shape:
     """nx times ny compartments of unequal sizes."""
-    xs = np.cumsum([0.0, *(60.0 + 15 * (i % 3) for i in range(nx))])
-    ys = np.cumsum([0.0, *(50.0 + 20 * (i % 2) for i in range(ny))])
+    return compartments(
+        [60.0 + 15 * (i % 3) for i in range(nx)], [50.0 + 20 * (i % 2) for i in range(ny)], 90.0
+    )
+
+
+def compartments(widths: Iterable[float], depths: Iterable[float], h: float) -> Shape:
+    """An organizer of compartments in rows and columns."""
+    xs, ys = np.cumsum([0.0, *widths]), np.cumsum([0.0, *depths])
+    nx, ny = len(xs) - 1, len(ys) - 1
     index: dict[tuple[int, int, int], int] = {}
     X: list[list[float]] = []
-    for k, z in enumerate((0.0, 90.0)):
+    for k, z in enumerate((0.0, h)):
         for j, y in enumerate(ys):
             for i, x in enumerate(xs):
                 index[i, j, k] = len(X)
@@ -147,10 +172,10 @@ def organizer(nx: int = 3, ny: int = 2) -> Shape:
     return from_loops(f"organizer {nx * ny}", X, loops)
 
 
-def hexagonal_box() -> Shape:
+def hexagonal_box(r: float = 90, h: float = 110) -> Shape:
     """A regular hexagonal prism: equal sides, opposite sides parallel."""
     angle = np.radians(60 * np.arange(6) + 10)
-    X = [[90 * np.cos(a), 90 * np.sin(a), z] for z in (0.0, 110.0) for a in angle]
+    X = [[r * np.cos(a), r * np.sin(a), z] for z in (0.0, h) for a in angle]
     sides = [(i, (i + 1) % 6, (i + 1) % 6 + 6, i + 6) for i in range(6)]
     shape = from_loops("hexagonal box", X, [tuple(range(6)), tuple(range(6, 12)), *sides])
     edge = {pair: f"e{k}" for k, pair in enumerate(shape.edges)}
@@ -160,11 +185,18 @@ def hexagonal_box() -> Shape:
     return replace(shape, annotations={**shape.annotations, **more})
 
 
-def table() -> Shape:
-    """A slab on four legs over a lower slab, a drawer's front: 52 vertices, parts touching."""
-    parts = [(0, 600, 0, 400, 300, 320)]
-    parts += [(x, x + 40, y, y + 40, 0, 300) for x in (20, 540) for y in (20, 340)]
-    parts += [(60, 540, 60, 340, 80, 95)]
+def table(
+    w: float = 600, d: float = 400, h: float = 300, leg: float = 40, shelf: float = 80
+) -> Shape:
+    """A slab on four legs over a lower slab, a drawer's front: 52 vertices, parts touching.
+
+    `h` is the height under the slab, `leg` the legs' thickness, `shelf` the lower slab's height.
+    """
+    inset = leg / 2
+    near, far = inset, inset + leg  # of the legs, from the slab's sides
+    parts = [(0.0, w, 0.0, d, h, h + leg / 2)]
+    parts += [(x, x + leg, y, y + leg, 0.0, h) for x in (near, w - far) for y in (near, d - far)]
+    parts += [(far, w - far, far, d - far, shelf, shelf + 0.4 * leg)]
     X: list[list[float]] = []
     loops: list[tuple[int, ...]] = []
     for x0, x1, y0, y1, z0, z1 in parts:
@@ -172,7 +204,10 @@ def table() -> Shape:
         X += [[x, y, z] for z in (z0, z1) for x, y in ((x0, y0), (x1, y0), (x1, y1), (x0, y1))]
         loops += [tuple(base + i for i in loop) for loop in BOX_LOOPS]
     base = len(X)
-    X += [[x, 0.0, z] for x, z in ((200, 302), (400, 302), (400, 318), (200, 318))]
+    low, high = h + 0.05 * leg, h + 0.45 * leg
+    X += [
+        [x, 0.0, z] for x, z in ((w / 3, low), (2 * w / 3, low), (2 * w / 3, high), (w / 3, high))
+    ]
     loops.append(tuple(range(base, base + 4)))
     shape = from_loops("table", X, loops)
     edge = {pair: f"e{k}" for k, pair in enumerate(shape.edges)}

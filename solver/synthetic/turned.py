@@ -11,7 +11,7 @@ from ..annotations import Diameter
 from ..camera import Camera
 from ..graph import Ellipse, Photo, Point, Revolution, SketchGraph
 from ..values import Array
-from .photographs import HEIGHT, WIDTH, photograph
+from .photographs import HEIGHT, WIDTH, Views, random_camera
 from .shapes import box
 
 
@@ -50,13 +50,19 @@ LID = Turned(
 
 
 def photograph_turned(
-    turned: Turned, rng: np.random.Generator, *, noise: float = 0.0, focal_known: bool = False
+    turned: Turned,
+    rng: np.random.Generator,
+    *,
+    noise: float = 0.0,
+    views: Views | None = None,
+    focal_known: bool = False,
 ) -> tuple[SketchGraph, Camera]:
     """Photograph a surface of revolution; its ground circle's diameter is annotated."""
     height = max(z for _, z in turned.circles)
-    stand_in = box(140, 140, max(height, 1.0))
-    camera = photograph(stand_in, rng).camera
-    axis = np.array([70.0, 70.0, 0.0])
+    widest = max(r for r, _ in turned.circles)
+    stand_in = box(2 * widest, 2 * widest, max(height, 1.0))
+    camera = random_camera(stand_in, rng, views or Views())
+    axis = np.array([widest, widest, 0.0])
     up = np.array([0.0, 0.0, 1.0])
     eye = camera.position_mm - axis
     side = np.cross(up, [eye[0], eye[1], 0.0])

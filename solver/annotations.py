@@ -13,6 +13,7 @@ unit
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
+from operator import attrgetter
 from typing import Any, ClassVar
 
 
@@ -147,10 +148,20 @@ def targets_of(annotation: Annotation) -> dict[str, tuple[str, ...]]:
     return named
 
 
+def annotation_values(annotation: Annotation) -> tuple[Any, ...]:
+    """The kind and what an annotation says, in the order of the file's keys."""
+    values: tuple[Any, ...] = _VALUES[type(annotation)](annotation)
+    return values
+
+
 def annotation_to_json(annotation: Annotation) -> dict[str, Any]:
     """The annotation as it stands in the file."""
-    body: dict[str, Any] = {"kind": annotation.kind}
-    for field in fields(annotation):
-        value = getattr(annotation, field.name)
-        body[field.name] = list(value) if isinstance(value, tuple) else value
-    return body
+    names = _NAMES[type(annotation)]
+    return {
+        name: list(value) if isinstance(value, tuple) else value
+        for name, value in zip(names, annotation_values(annotation), strict=True)
+    }
+
+
+_NAMES = {cls: ("kind", *(field.name for field in fields(cls))) for cls in ANNOTATIONS.values()}
+_VALUES = {cls: attrgetter(*names) for cls, names in _NAMES.items()}

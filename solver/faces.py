@@ -2,11 +2,12 @@
 
 Terms
 -----
+corner
+    Two edges that meet; every corner spans a plane.
 plane
-    Named by the vertices that lie in it; candidates are spanned by every two edges that meet.
-half-edge
-    An edge walked in one direction; walking always to the next half-edge in turn goes round a
-    minimal loop.
+    Named by the vertices that lie in it.
+loop, half-edge
+    See `walks`.
 """
 
 from __future__ import annotations
@@ -18,13 +19,22 @@ import numpy as np
 from .errors import SketchError
 from .geometry import cross
 from .graph import Face
-from .union_find import UnionFind
-from .values import Array
+from .nesting import outlines, smallest_around
+from .values import Array, BoolArray, FrozenDict, IntArray, frozen_mapping, kept
+from .walks import Loop, Walk, walk_round, without_dead_ends
 
 #: Vertices within this part of the object's size of a plane lie in it.
 PLANE_TOLERANCE = 1e-6
 #: Where more pairs of edges meet than this, the drawing is a tangle and no object.
 MAX_CORNERS = 50_000
+#: Loops that enclose less than this part of the size squared are lines.
+AREA_TOLERANCE = 1e-12
+#: Planes whose normal and offset agree to this are tried once.
+CELL = 1e-6
+#: With more planes than this, those that only one or two corners span are left out first.
+MANY_PLANES = 1000
+#: Numbers in one table of planes by vertices, which bounds the memory.
+TABLE = 4_000_000
 
 
 def find_faces(
@@ -48,178 +58,161 @@ def find_faces(
     SketchError
         Where too many edges meet for faces to be looked for.
     """
-    names = list(vertices_mm)
-    index = {v: i for i, v in enumerate(names)}
-    X = np.array([vertices_mm[v] for v in names], dtype=float).reshape(-1, 3)
-    ends = [(index[v], index[w]) for v, w in edges.values()]
-    found: list[tuple[tuple[int, ...], tuple[tuple[int, ...], ...]]] = []
-    for normal, in_plane in _planes(X, ends):
-        kept = set(in_plane)
-        chosen = [(i, j) for i, j in ends if i in kept and j in kept]
-        loops = _loops(_flatten(X, normal), chosen)
-        found += _with_holes(_flatten(X, normal), loops)
-    found.sort(key=lambda item: (sorted(item[0]), item[0]))
-    named = [
-        Face(tuple(names[i] for i in loop), tuple(tuple(names[i] for i in h) for h in holes))
-        for loop, holes in found
+    ends = _ends(tuple(vertices_mm), frozen_mapping(edges))
+    corners = _corners(ends)
+    if not len(corners):
+        return {}
+    X = np.array(list(vertices_mm.values()), dtype=float).reshape(-1, 3)
+    X -= X.mean(axis=0)
+    size = float(np.ptp(X, axis=0).max())
+    if not size > 0:
+        return {}
+    tables = [
+        table
+        for normals, members in _planes(X, size, corners)
+        if (table := _table(X / size, ends, normals, members)) is not None
     ]
-    return {f"f{k}": face for k, face in enumerate(named, start=1)}
+    return _named(tuple(vertices_mm), *(part for table in tables for part in table))
 
 
-def _planes(X: Array, ends: list[tuple[int, int]]) -> list[tuple[Array, tuple[int, ...]]]:
-    """The planes that hold at least two meeting edges: normals and vertices."""
-    size = float(np.ptp(X, axis=0).max()) if len(X) else 0.0
-    around: dict[int, list[int]] = {}
-    for i, j in ends:
-        around.setdefault(i, []).append(j)
-        around.setdefault(j, []).append(i)
-    if sum(len(others) ** 2 for others in around.values()) > 2 * MAX_CORNERS:
+@kept
+def _named(names: tuple[str, ...], *tables: Walk | bytes) -> dict[str, Face]:
+    """The faces by name, of tables of a walk, which cycles are loops, and what lies in which."""
+    found: list[tuple[Loop, tuple[Loop, ...]]] = []
+    for walk, chosen, around in zip(tables[::3], tables[1::3], tables[2::3], strict=True):
+        assert isinstance(walk, Walk)
+        assert isinstance(chosen, bytes)
+        assert isinstance(around, bytes)
+        inside: dict[int, list[Loop]] = {}
+        for k, outer in enumerate(np.frombuffer(around, dtype=np.int64).tolist()):
+            if outer >= 0:
+                inside.setdefault(outer, []).append(walk.loops[k])
+        for k in np.flatnonzero(np.frombuffer(chosen, dtype=bool)).tolist():
+            found.append((walk.loops[k], outlines(inside[k]) if k in inside else ()))
+    found.sort(key=lambda item: (sorted(item[0]), item[0]))
+    name = names.__getitem__
+    return FrozenDict(
+        (f"f{k}", Face(tuple(map(name, loop)), tuple(tuple(map(name, hole)) for hole in holes)))
+        for k, (loop, holes) in enumerate(found, start=1)
+    )
+
+
+@kept
+def _ends(names: tuple[str, ...], edges: Mapping[str, tuple[str, str]]) -> IntArray:
+    """Vertex indices of each edge, (m, 2)."""
+    index = {name: i for i, name in enumerate(names)}
+    ends = np.array([index[v] for pair in edges.values() for v in pair], dtype=np.int64)
+    ends.setflags(write=False)
+    return ends.reshape(-1, 2)
+
+
+@kept
+def _corners(ends: IntArray) -> IntArray:
+    """All corners: the common vertex and the two other ends, (c, 3)."""
+    starts, others = ends.reshape(-1), ends[:, ::-1].reshape(-1)
+    names, first, degrees = np.unique(starts, return_index=True, return_counts=True)
+    if int(np.sum(degrees.astype(float) * (degrees - 1))) > 2 * MAX_CORNERS:
         raise SketchError(
             f"more than {MAX_CORNERS} pairs of edges meet", (), "list the faces in the sketch"
         )
-    seen: dict[tuple[int, ...], Array] = {}
-    tested: set[tuple[int, int, int]] = set()
-    for i, others in around.items():
-        for a in range(len(others)):
-            for b in range(a + 1, len(others)):
-                if (i, min(others[a], others[b]), max(others[a], others[b])) in tested:
-                    continue
-                u, v = X[others[a]] - X[i], X[others[b]] - X[i]
-                normal = cross(u, v)
-                length = float(np.linalg.norm(normal))
-                if length <= 1e-9 * float(np.linalg.norm(u) * np.linalg.norm(v)):
-                    continue
-                normal /= length
-                members = np.flatnonzero(np.abs((X - X[i]) @ normal) <= PLANE_TOLERANCE * size)
-                key = tuple(int(m) for m in members)
-                seen.setdefault(key, normal)
-                _mark_tested(key, around, tested)
-    return [(normal, key) for key, normal in seen.items()]
+    order = np.argsort(starts, kind="stable")
+    offset = np.cumsum(degrees) - degrees
+    parts, ranks = [np.zeros((0, 3), dtype=np.int64)], [np.zeros(0, dtype=np.int64)]
+    for degree in np.unique(degrees[degrees > 1]).tolist():
+        chosen = np.flatnonzero(degrees == degree)
+        around = others[order[offset[chosen][:, None] + np.arange(degree)]]
+        a, b = np.triu_indices(degree, 1)
+        middle = np.repeat(names[chosen], len(a))
+        parts.append(np.column_stack([middle, around[:, a].reshape(-1), around[:, b].reshape(-1)]))
+        ranks.append(np.repeat(first[chosen], len(a)))
+    corners = np.concatenate(parts)[np.argsort(np.concatenate(ranks), kind="stable")]
+    corners.setflags(write=False)
+    return corners
 
 
-def _mark_tested(
-    members: tuple[int, ...], around: dict[int, list[int]], tested: set[tuple[int, int, int]]
-) -> None:
-    """Pairs of edges of a plane that is known span no other plane."""
-    inside = set(members)
-    for i in members:
-        others = sorted(inside.intersection(around.get(i, ())))
-        tested.update(
-            (i, others[a], others[b]) for a in range(len(others)) for b in range(a + 1, len(others))
-        )
+def _planes(X: Array, size: float, corners: IntArray) -> list[tuple[Array, BoolArray]]:
+    """The planes that corners span, in tables of bounded size: normals (k, 3), members (k, n)."""
+    at, a, b = X[corners[:, 0]], X[corners[:, 1]], X[corners[:, 2]]
+    u, v = a - at, b - at
+    normals = cross(u, v)
+    lengths = np.sqrt(np.einsum("ci,ci->c", normals, normals))
+    spans = lengths > 1e-9 * np.sqrt(np.einsum("ci,ci->c", u, u) * np.einsum("ci,ci->c", v, v))
+    normals = normals[spans] / lengths[spans, None]
+    offsets = np.einsum("ci,ci->c", normals, at[spans])
+    planes = np.column_stack([normals, offsets / size])
+    chosen = _distinct(planes)
+    if len(chosen) > MANY_PLANES:
+        shared = _spanned_thrice(planes)
+        chosen = shared[_distinct(planes[shared])]
+    tables, seen = [], set()
+    rows = max(1, TABLE // len(X))
+    for start in range(0, len(chosen), rows):
+        some = chosen[start : start + rows]
+        members = np.abs(normals[some] @ X.T - offsets[some, None]) <= PLANE_TOLERANCE * size
+        names = [row.tobytes() for row in np.packbits(members, axis=1)]
+        new = []
+        for k, name in enumerate(names):
+            if name not in seen:
+                seen.add(name)
+                new.append(k)
+        tables.append((normals[some[new]], members[new]))
+    return tables
 
 
-def _flatten(X: Array, normal: Array) -> Array:
-    """Positions in the plane's own frame, (n, 2), right-handed round the normal."""
-    helper = np.eye(3)[int(np.argmin(np.abs(normal)))]
-    u = cross(helper, normal)
-    u /= np.linalg.norm(u)
-    return np.asarray(np.column_stack([X @ u, X @ cross(normal, u)]))
+def _distinct(planes: Array) -> IntArray:
+    """The first of all planes (normal, offset) that fall into one cell, either way round."""
+    largest = np.abs(planes[:, :3]).argmax(axis=1)
+    signs = np.sign(planes[np.arange(len(planes)), largest])
+    cells = np.rint(planes * signs[:, None] / CELL).astype(np.int64)
+    # Mixed into one number, overflow and all: two cells meet in it once in 1e19.
+    mixed = cells @ np.array([6364136223846793005, 1442695040888963407, 3935559000370003845, 1])
+    return np.sort(np.unique(mixed, return_index=True)[1])
 
 
-def _loops(P: Array, edges: list[tuple[int, int]]) -> list[tuple[int, ...]]:
-    """Minimal loops of a planar drawing, counter-clockwise."""
-    edges = _without_dead_ends(edges)
-    around: dict[int, list[int]] = {}
-    for i, j in edges:
-        around.setdefault(i, []).append(j)
-        around.setdefault(j, []).append(i)
-    for i, others in around.items():
-        offsets = P[others] - P[i]
-        angles = np.arctan2(offsets[:, 1], offsets[:, 0])
-        around[i] = [others[k] for k in np.argsort(angles, kind="stable")]
-    loops, walked = [], set()
-    for start in [*edges, *((j, i) for i, j in edges)]:
-        if start in walked:
-            continue
-        loop, (i, j) = [], start
-        while (i, j) not in walked:
-            walked.add((i, j))
-            loop.append(i)
-            turn = around[j]
-            # The next half-edge clockwise from where we came keeps the loop's inside on the left.
-            i, j = j, turn[turn.index(i) - 1]
-        if len(set(loop)) == len(loop) and _signed_area(P[loop]) > 0:
-            loops.append(_canonical(loop))
-    return loops
+def _spanned_thrice(planes: Array) -> IntArray:
+    """Planes that at least three corners may span, as every loop has so many.
 
-
-def _without_dead_ends(edges: list[tuple[int, int]]) -> list[tuple[int, int]]:
-    while True:
-        degree: dict[int, int] = {}
-        for ends in edges:
-            for i in ends:
-                degree[i] = degree.get(i, 0) + 1
-        kept = [(i, j) for i, j in edges if degree[i] > 1 and degree[j] > 1]
-        if len(kept) == len(edges):
-            return kept
-        edges = kept
-
-
-def _canonical(loop: list[int]) -> tuple[int, ...]:
-    k = loop.index(min(loop))
-    return tuple(loop[k:] + loop[:k])
-
-
-def _signed_area(polygon: Array) -> float:
-    # Plain numbers: most loops have four vertices, too few for arrays.
-    points = polygon.tolist()
-    ahead = points[1:] + points[:1]
-    return float(sum(x * v - u * y for (x, y), (u, v) in zip(points, ahead, strict=True))) / 2
-
-
-def _with_holes(
-    P: Array, loops: list[tuple[int, ...]]
-) -> list[tuple[tuple[int, ...], tuple[tuple[int, ...], ...]]]:
-    """Give each loop that lies within another, apart from it, to the smallest such as a hole.
-
-    Touching loops within the same outer loop make one hole: their common outline.
+    Of planes that agree, any even function agrees; those alone with their value are left out.
     """
-    part = _parts(loops)
-    if len(set(part)) < 2:
-        return [(loop, ()) for loop in loops]
-    areas = [_signed_area(P[list(loop)]) for loop in loops]
-    inside: dict[int, list[int]] = {}
-    for k, loop in enumerate(loops):
-        outer = [
-            o
-            for o, other in enumerate(loops)
-            if part[o] != part[k] and areas[o] > areas[k] and _contains(P[list(other)], P[loop[0]])
-        ]
-        if outer:
-            inside.setdefault(min(outer, key=lambda o: areas[o]), []).append(k)
-    return [
-        (loop, _outlines([loops[i] for i in inside.get(k, [])])) for k, loop in enumerate(loops)
-    ]
+    left = np.arange(len(planes))
+    for weights in np.random.default_rng(0).normal(size=(8, 2, 4)):
+        value = (planes[left] @ weights[0]) * (planes[left] @ weights[1])
+        order = np.argsort(value)
+        near = np.zeros(len(left), dtype=bool)
+        close = np.flatnonzero(value[order[2:]] - value[order[:-2]] <= 20 * CELL)
+        for k in range(3):
+            near[order[close + k]] = True
+        left = left[near]
+    return left
 
 
-def _parts(loops: list[tuple[int, ...]]) -> list[int]:
-    """For each loop the connected part of the drawing that it belongs to."""
-    sets = UnionFind(1 + max((max(loop) for loop in loops), default=0))
-    for loop in loops:
-        for i in loop[1:]:
-            sets.union(loop[0], i)
-    return [sets.find(loop[0]) for loop in loops]
+def _table(
+    X: Array, ends: IntArray, normals: Array, members: BoolArray
+) -> tuple[Walk, bytes, bytes] | None:
+    """The cycles of several planes, which of them are loops, and in which other one each lies."""
+    plane, edge = np.nonzero(members[:, ends[:, 0]] & members[:, ends[:, 1]])
+    walked = without_dead_ends(plane, ends[edge], len(X))
+    if not len(walked.plane):
+        return None
+    u, v = _frames(normals)
+    x, y = ((X @ w.T)[walked.start, walked.plane] for w in (u, v))
+    along_x, along_y = (w.reshape(-1, 2)[:, ::-1].reshape(-1) - w for w in (x, y))
+    walk = walk_round(walked, np.arctan2(along_y, along_x), len(X))
+    areas = np.add.reduceat((x * along_y - y * along_x)[walk.order] / 2, walk.first)
+    encloses = areas > AREA_TOLERANCE
+    chosen = encloses & walk.simple
+    # Each connected part of a plane has one cycle that goes round it, the other way round.
+    parts = np.bincount(walk.plane[~encloses], minlength=len(normals))
+    nested = chosen & (parts > 1)[walk.plane]
+    around = np.zeros(0, dtype=np.int64)
+    if nested.any():
+        around = smallest_around(walk, np.column_stack([x, y])[walk.order], areas, nested)
+    return walk, chosen.tobytes(), around.tobytes()
 
 
-def _outlines(loops: list[tuple[int, ...]]) -> tuple[tuple[int, ...], ...]:
-    """The common outlines of loops: half-edges whose reverse is not walked by another loop."""
-    walked = {(a, b) for loop in loops for a, b in zip(loop, loop[1:] + loop[:1], strict=True)}
-    following = {a: b for a, b in sorted(walked) if (b, a) not in walked}
-    outlines = []
-    while following:
-        start = min(following)
-        outline = [start]
-        while (nxt := following.pop(outline[-1], start)) != start:
-            outline.append(nxt)
-        outlines.append(tuple(outline))
-    return tuple(outlines)
-
-
-def _contains(polygon: Array, point: Array) -> bool:
-    """Whether the point is inside, by the crossing number."""
-    a, b = polygon, np.roll(polygon, -1, axis=0)
-    crosses = (a[:, 1] > point[1]) != (b[:, 1] > point[1])
-    with np.errstate(divide="ignore", invalid="ignore"):
-        at = a[:, 0] + (point[1] - a[:, 1]) / (b[:, 1] - a[:, 1]) * (b[:, 0] - a[:, 0])
-    return bool(np.count_nonzero(crosses & (at > point[0])) % 2)
+def _frames(normals: Array) -> tuple[Array, Array]:
+    """Two directions in each plane, right-handed round the normal."""
+    helpers = np.eye(3)[np.abs(normals).argmin(axis=1)]
+    u = cross(helpers, normals)
+    u /= np.sqrt(np.einsum("ki,ki->k", u, u))[:, None]
+    return u, cross(normals, u)

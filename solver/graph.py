@@ -18,9 +18,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from .annotations import Annotation, annotation_to_json
+import numpy as np
+
+from .annotations import Annotation, annotation_to_json, annotation_values
 from .camera import Camera
-from .values import frozen_mapping
+from .values import frozen_mapping, kept
 
 FORMAT = "incontext/sketch"
 VERSION = 1
@@ -119,8 +121,22 @@ class SketchGraph:
     @property
     def digest(self) -> str:
         """SHA-256 of what the graph says, hexadecimal; independent of the order of ids."""
-        text = json.dumps(self.to_json(), sort_keys=True, separators=(",", ":"), allow_nan=False)
-        return hashlib.sha256(text.encode()).hexdigest()
+        rest = _digest_of_rest(
+            self.photo,
+            self.edges,
+            self.circles,
+            self.revolutions,
+            self.faces,
+            self.annotations,
+            self.construction,
+            self.camera,
+        )
+        names = sorted(self.vertices)
+        places = np.array([self.vertices[v] for v in names], dtype="<f8")
+        said = hashlib.sha256(rest.encode())
+        said.update(json.dumps(names).encode())
+        said.update(places.tobytes())
+        return said.hexdigest()
 
     def annotations_of(self, kind: str) -> dict[str, Annotation]:
         """The annotations of one kind, by id."""
@@ -180,6 +196,31 @@ class SketchGraph:
         body["construction"] = list(self.construction)
         body["camera"] = None if self.camera is None else self.camera.to_json()
         return body
+
+
+@kept
+def _digest_of_rest(
+    photo: Photo | None,
+    edges: Mapping[str, tuple[str, str]],
+    circles: Mapping[str, Ellipse],
+    revolutions: Mapping[str, Revolution],
+    faces: Mapping[str, Face] | None,
+    annotations: Mapping[str, Annotation],
+    construction: tuple[str, ...],
+    camera: Camera | None,
+) -> str:
+    """SHA-256 of all but the vertices, which a drag moves."""
+    told = [
+        _photo_to_json(photo),
+        sorted(edges.items()),
+        sorted((id_, c.a, c.b) for id_, c in circles.items()),
+        sorted((id_, r.ground, r.bottom, r.top, r.profile) for id_, r in revolutions.items()),
+        None if faces is None else {id_: face_to_json(f) for id_, f in faces.items()},
+        [(id_, annotation_values(annotations[id_])) for id_ in sorted(annotations)],
+        sorted(construction),
+        None if camera is None else camera.to_json(),
+    ]
+    return hashlib.sha256(json.dumps(told, sort_keys=True).encode()).hexdigest()
 
 
 def _photo_to_json(photo: Photo | None) -> dict[str, Any] | None:

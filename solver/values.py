@@ -1,10 +1,18 @@
-"""Small helpers for frozen values: read-only arrays and mappings."""
+"""Small helpers for frozen values: read-only arrays and mappings, and results that are kept.
+
+Terms
+-----
+kept
+    A pure function of frozen values is worked out once for the same values; the newest few results
+    stay. Values are the same when they are one object: an edit that moves a vertex hands all other
+    mappings on, and with them everything that was worked out from them.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from types import MappingProxyType
-from typing import Any, TypeVar
+from collections.abc import Callable, Mapping
+from functools import lru_cache, wraps
+from typing import Any, NoReturn, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +20,11 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 BoolArray = NDArray[np.bool_]
+K = TypeVar("K")
 V = TypeVar("V")
+
+#: Results of each function that stay: a few sketches, each as drawn and as solved.
+KEPT = 8
 
 
 def frozen_array(values: Any, shape: tuple[int, ...] | None = None) -> Array:
@@ -24,6 +36,69 @@ def frozen_array(values: Any, shape: tuple[int, ...] | None = None) -> Array:
     return array
 
 
+class FrozenDict(dict[K, V]):
+    """A dict that cannot be changed."""
+
+    __slots__ = ()
+
+    def _refuse(self, *_: Any, **__: Any) -> NoReturn:
+        raise TypeError("this mapping is read-only: make a new one")
+
+    __setitem__ = __delitem__ = __ior__ = _refuse
+    clear = pop = popitem = setdefault = update = _refuse
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (type(self), (dict(self),))
+
+
+class FrozenRows(FrozenDict[str, Array]):
+    """Rows of one read-only array by id."""
+
+    __slots__ = ()
+
+
 def frozen_mapping(items: Mapping[str, V]) -> Mapping[str, V]:
-    """A read-only copy that keeps the order."""
-    return MappingProxyType(dict(items))
+    """The items, read-only, in their order; a frozen mapping itself comes back as it is."""
+    return items if isinstance(items, FrozenDict) else FrozenDict(items)
+
+
+def frozen_rows(items: Mapping[str, Any]) -> Mapping[str, Array]:
+    """Read-only (3,) arrays by id; frozen rows themselves come back as they are."""
+    if isinstance(items, FrozenRows):
+        return items
+    rows = frozen_array([*items.values()], (len(items), 3))
+    return FrozenRows(zip(items, rows, strict=True))
+
+
+def kept(make: Callable[..., V]) -> Callable[..., V]:
+    """Keep the newest results of a pure function of frozen values.
+
+    Arguments are compared by identity; tuples, texts and whole numbers by what they hold.
+    """
+
+    @lru_cache(maxsize=KEPT)
+    def result(same: _Same) -> V:
+        return make(*same.values)
+
+    @wraps(make)
+    def keeping(*values: Any) -> V:
+        return result(_Same(values))
+
+    return keeping
+
+
+class _Same:
+    """Values that are equal only if they are the same objects."""
+
+    __slots__ = ("key", "values")
+
+    def __init__(self, values: tuple[Any, ...]) -> None:
+        # Holding the values keeps their addresses theirs.
+        self.values = values
+        self.key = tuple(v if isinstance(v, tuple | str | bytes | int) else id(v) for v in values)
+
+    def __hash__(self) -> int:
+        return hash(self.key)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Same) and self.key == other.key

@@ -96,8 +96,9 @@ _lock = Lock()
 
 def _same(known: _Key, key: _Key) -> bool:
     """Equality that asks for the order of ids as well: numbers go by it."""
-    return known == key and all(
-        list(a) == list(b) for a, b in zip(known[1:], key[1:], strict=True) if a and b
+    return all(
+        a is b or (a == b and (not a or not b or list(a) == list(b)))
+        for a, b in zip(known, key, strict=True)
     )
 
 

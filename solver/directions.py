@@ -15,7 +15,9 @@ Everything here follows from annotations alone; the drawing is never asked. The 
 3. A and C perpendicular to both B and Z, with B perpendicular to Z: A and C are of one class;
 4. in a plane (a triangle, a face that was named, a quadrilateral with two parallel sides): what is
    perpendicular to two of its directions is perpendicular to all of them, and two edges
-   perpendicular to a third one of the same plane are parallel.
+    perpendicular to a third one of the same plane are parallel;
+5. the ground is a plane: what is square to a polygon drawn on it, or to two perpendicular edges on
+   it, is vertical, and all that is vertical is parallel.
 """
 
 from __future__ import annotations
@@ -110,6 +112,7 @@ def direction_classes(topology: Topology) -> Directions:
         relations.relate(i, j)
     triangles, quadrilaterals = small[closed.triangles], small[closed.quadrilaterals]
     faces = [tuple(small[plane].tolist()) for plane in _named_faces(topology)]
+    ground = [tuple(small[edges].tolist()) for edges in _parts_of_the_ground(topology)]
     relations.changed = True
     while relations.changed and not relations.contradiction:
         relations.changed = False
@@ -119,6 +122,7 @@ def direction_classes(topology: Topology) -> Directions:
         flat = [c for c in _each_once(label[quadrilaterals]) if _has_parallel_sides(relations, c)]
         for plane in [*_each_once(label[triangles]), *faces, *flat]:
             _close_plane(relations, plane)
+        _close_ground(relations, ground)
     name = names.tolist()
     return Directions(
         names[np.array(relations.sets.labels(), dtype=np.int64)][small],
@@ -161,17 +165,42 @@ def _close_plane(relations: _Relations, plane: tuple[int, ...]) -> None:
     classes = sorted({relations.sets.find(e) for e in plane})
     if len(classes) < 2:
         return
-    for third in classes:
-        # Merging renames classes: look each up again.
-        across = [c for c in classes if relations.are_perpendicular(third, c)]
-        for other in across[1:]:
-            relations.merge(across[0], other)
+    _close_across(relations, classes)
     classes = sorted({relations.sets.find(e) for e in plane})
     # Two classes of one plane that are not known to be parallel span it: edges that meet do.
     for first, second in _meeting_classes(relations, plane):
         for normal in sorted(relations.perp[first] & relations.perp[second]):
             for c in classes:
                 relations.relate(c, normal)
+
+
+def _close_across(relations: _Relations, classes: list[int]) -> None:
+    """In one plane, what is perpendicular to the same class is one class."""
+    for third in classes:
+        # Merging renames classes: look each up again.
+        across = [c for c in classes if relations.are_perpendicular(third, c)]
+        for other in across[1:]:
+            relations.merge(across[0], other)
+
+
+def _close_ground(relations: _Relations, parts: list[tuple[int, ...]]) -> None:
+    """Rule 5."""
+    find = relations.sets.find
+    _close_across(relations, sorted({find(e) for part in parts for e in part}))
+    normals: set[int] = set()
+    for part in parts:
+        classes = {find(e) for e in part}
+        # A polygon's sides are not all parallel.
+        normals |= set.intersection(*(relations.perp[c] for c in classes))
+    classes = {find(e) for part in parts for e in part}
+    for c in classes:
+        for across in relations.perp[c] & classes:
+            normals |= relations.perp[c] & relations.perp[across]
+    for normal in sorted(normals):
+        relations.merge(min(normals), normal)
+    if normals:
+        for e in sorted(classes):
+            relations.relate(find(e), find(min(normals)))
 
 
 def _meeting_classes(relations: _Relations, plane: tuple[int, ...]) -> list[tuple[int, int]]:
@@ -189,6 +218,17 @@ def _has_parallel_sides(relations: _Relations, plane: tuple[int, ...]) -> bool:
     return len(plane) == 4 and (
         find(plane[0]) == find(plane[2]) or find(plane[1]) == find(plane[3])
     )
+
+
+def _parts_of_the_ground(topology: Topology) -> list[IntArray]:
+    """Edges between ground vertices, by connected part; only parts that close a polygon."""
+    on_ground = np.zeros(len(topology.vertices), dtype=bool)
+    on_ground[topology.ground] = True
+    edges = np.flatnonzero(on_ground[topology.ends].all(axis=1))
+    part_of = first_members(topology.ends[edges], len(topology.vertices))
+    parts = part_of[topology.ends[edges, 0]]
+    found = [edges[parts == part] for part in np.unique(parts)]
+    return [part for part in found if len(part) >= len(np.unique(topology.ends[part]))]
 
 
 def _named_faces(topology: Topology) -> list[IntArray]:

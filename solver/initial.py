@@ -133,11 +133,12 @@ def _distinct(found: list[Start]) -> list[Start]:
 
 
 def _lines(problem: Problem, chosen: NDArray[np.bool_]) -> tuple[Array, Array]:
-    """Homogeneous lines (k, 3) and drawn lengths as weights (k,)."""
-    p, q = problem.points[problem.ends[chosen, 0]], problem.points[problem.ends[chosen, 1]]
+    """Homogeneous lines (k, 3), and weights (k,): drawn lengths, times how exact the ends are."""
+    ends = problem.ends[chosen]
+    p, q = problem.points[ends[:, 0]], problem.points[ends[:, 1]]
     ones = np.ones((len(p), 1))
     lines = cross(np.hstack([p, ones]), np.hstack([q, ones]))
-    return lines, np.linalg.norm(q - p, axis=1)
+    return lines, np.linalg.norm(q - p, axis=1) * problem.weights[ends].min(axis=1)
 
 
 def _normals(lines: Array, log_focals: Array) -> tuple[Array, Array]:

@@ -34,10 +34,12 @@ from .structure import Structure
 from .topology import MAX_KEPT, Topology, topology_of
 from .values import Array, IntArray
 
-#: How well people draw: things they imagine, as a part of the drawing's diagonal (FACTS: 0.5 to
-#: 2 %), and things they trace on the photo, px.
-IMAGINED_SIGMA = 0.007
+#: How well people draw: things they imagine, as a part of the drawing's diagonal (1 to 2 %),
+#: and things they trace on the photo, px. Imagined vertices lean together: however many there are,
+#: they tell no more of the camera than so many independent ones.
+IMAGINED_SIGMA = 0.02
 TRACED_SIGMA_PX = 1.5
+MANY_IMAGINED = 8
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -161,7 +163,8 @@ def _weights(graph: SketchGraph) -> tuple[Array, float]:
     real = {v for id_, ends in graph.edges.items() if id_ in traced for v in ends}
     imagined = {v for id_, ends in graph.edges.items() if id_ not in traced for v in ends}
     diagonal = float(np.linalg.norm(np.ptp(pixels, axis=0))) if len(pixels) else 0.0
-    ratio = max(1.0, IMAGINED_SIGMA * diagonal / TRACED_SIGMA_PX)
+    leaning = np.sqrt(max(1.0, len(imagined) / MANY_IMAGINED))
+    ratio = max(1.0, float(leaning) * IMAGINED_SIGMA * diagonal / TRACED_SIGMA_PX)
     weights = [ratio if v in real - imagined else 1.0 for v in graph.vertices]
     return np.array(weights), ratio
 

@@ -175,13 +175,12 @@ def _place_under_camera(
 
 def _axes(problem: Problem, pose: Pose, up: Array) -> Array:
     """Rows: the world's x, y, z in object axes."""
-    right = pose.R[0]
+    x = right = pose.R[0]
     if problem.structure.has_axes:
         options = [s * np.eye(3)[k] for k in range(3) for s in (1.0, -1.0)]
-        options = [o for o in options if abs(float(o @ up)) < 0.5]
-        x = max(options, key=lambda o: float(o @ right))
-    else:
-        x = right
+        level = [o for o in options if abs(float(o @ up)) < 0.5]
+        # None is level where the ground is oblique to all of them.
+        x = max(level, key=lambda o: float(o @ right), default=right)
     x = x - (x @ up) * up
     x = x / np.linalg.norm(x)
     y = cross(up, x)

@@ -20,7 +20,7 @@ import numpy as np
 from .annotations import targets_of
 from .full import FullProblem, Pose
 from .graph import SketchGraph
-from .solution import Residual
+from .solution import Residual, Residuals
 from .structure import build_structure
 from .values import Array
 
@@ -171,6 +171,9 @@ def unmet_annotations(residuals: Mapping[str, Residual], size_mm: float) -> tupl
     def badness(residual: Residual) -> float:
         return residual.value / (size_mm if residual.unit == "mm" else 57.3)
 
+    if isinstance(residuals, Residuals):
+        # Most hold to the last digits: look at the others only.
+        residuals = residuals.above(HELD_TOLERANCE * min(size_mm, 57.3))
     bad = {id_: badness(r) for id_, r in residuals.items() if badness(r) > HELD_TOLERANCE}
     return tuple(sorted(bad, key=lambda id_: (-bad[id_], id_)))
 

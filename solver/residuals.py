@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -15,12 +15,13 @@ from .annotations import (
     Length,
     OnFace,
     Parallel,
-    RightAngle,
     SymmetryPlane,
 )
+from .geometry import cross
 from .graph import Face, SketchGraph
-from .solution import Residual, SolvedCircle
-from .values import Array
+from .solution import Residual, Residuals, SolvedCircle
+from .topology import Topology, topology_of
+from .values import Array, IntArray, kept
 
 
 def annotation_residuals(
@@ -28,82 +29,169 @@ def annotation_residuals(
     vertices_mm: Mapping[str, Array],
     faces: Mapping[str, Face],
     circles: Mapping[str, SolvedCircle],
-) -> dict[str, Residual]:
+) -> Mapping[str, Residual]:
     """Residuals of all annotations.
 
     Right angles and parallels in degrees, all else in mm; for groups the largest deviation.
+    A vertex on a face that is not there has none.
     """
-    measure = _Measure(graph, vertices_mm, faces, circles)
-    found = {}
-    for id_, annotation in graph.annotations.items():
-        value = measure.of(annotation)
-        if value is not None:
-            found[id_] = Residual(value, annotation.unit)
-    return found
+    topology = topology_of(graph)
+    plan = _plan(topology)
+    X = np.array([vertices_mm[v] for v in graph.vertices], dtype=float).reshape(-1, 3)
+    values = plan.measure(X)
+    for place, annotation in plan.others:
+        values[place] = _measure(annotation, graph, vertices_mm, faces, circles)
+    told = np.isfinite(values)
+    if told.all():
+        return Residuals(topology.annotation_ids, values, plan.units)
+    chosen = np.flatnonzero(told).tolist()
+    ids = tuple(topology.annotation_ids[k] for k in chosen)
+    return Residuals(ids, values[told], tuple(plan.units[k] for k in chosen))
 
 
-class _Measure:
-    def __init__(
-        self,
-        graph: SketchGraph,
-        at: Mapping[str, Array],
-        faces: Mapping[str, Face],
-        circles: Mapping[str, SolvedCircle],
-    ) -> None:
-        self.graph, self.at, self.faces, self.circles = graph, at, faces, circles
+@dataclass(frozen=True, slots=True, eq=False)
+class _Groups:
+    """Lists of whole numbers, one after the other, and where each begins."""
 
-    def of(self, a: Annotation) -> float | None:
-        if isinstance(a, RightAngle):
-            u, v = (self._away_from(a.at, e) for e in a.between)
-            return abs(_angle_deg(u, v) - 90.0)
-        if isinstance(a, Parallel):
-            return self._parallel(a.edges)
-        if isinstance(a, EqualLength):
-            return float(np.ptp([self._length(e) for e in a.edges]))
-        if isinstance(a, Length):
-            return abs(self._length(a.edge) - a.length_mm)
-        if isinstance(a, Diameter):
-            return abs(2 * self.circles[a.circle].radius_mm - a.diameter_mm)
-        if isinstance(a, Ground):
-            return float(max(abs(self.at[v][2]) for v in a.vertices))
-        if isinstance(a, SymmetryPlane):
-            return self._symmetry(a.midpoints_of)
-        if isinstance(a, OnFace) and a.face in self.faces:
-            return self._off_plane(a.vertex, self.faces[a.face].loop)
-        return None
+    places: IntArray
+    items: IntArray
+    first: IntArray
 
-    def _vector(self, edge: str) -> Array:
-        v, w = self.graph.edges[edge]
-        return np.asarray(self.at[w] - self.at[v])
-
-    def _length(self, edge: str) -> float:
-        return float(np.linalg.norm(self._vector(edge)))
-
-    def _away_from(self, vertex: str, edge: str) -> Array:
-        u = self._vector(edge)
-        return u if self.graph.edges[edge][0] == vertex else -u
-
-    def _parallel(self, edges: tuple[str, ...]) -> float:
-        first = self._vector(edges[0])
-        angles = [_angle_deg(first, self._vector(e)) for e in edges[1:]]
-        return max(min(a, 180.0 - a) for a in angles)
-
-    def _symmetry(self, edges: tuple[str, ...]) -> float:
-        first = self._vector(edges[0])
-        normal = first / max(float(np.linalg.norm(first)), 1e-300)
-        middles = [sum(self.at[v] for v in self.graph.edges[e]) / 2 for e in edges]
-        return max(abs(float((m - middles[0]) @ normal)) for m in middles)
-
-    def _off_plane(self, vertex: str, loop: tuple[str, ...]) -> float:
-        corners = np.array([self.at[v] for v in loop])
-        middle = corners.mean(axis=0)
-        normal = np.linalg.svd(corners - middle)[2][2]
-        return abs(float((self.at[vertex] - middle) @ normal))
+    @classmethod
+    def of(cls, found: Sequence[tuple[int, Sequence[int]]]) -> _Groups:
+        sizes = [len(items) for _, items in found]
+        return cls(
+            np.array([place for place, _ in found], dtype=np.int64),
+            np.array([i for _, items in found for i in items], dtype=np.int64),
+            (np.cumsum([0, *sizes[:-1]])[: len(found)]).astype(np.int64),
+        )
 
 
-def _angle_deg(u: Array, v: Array) -> float:
-    # Plain numbers: a sketch has many angles, each too small for arrays. atan2 keeps its accuracy
-    # near 0 and 90 degrees, where acos loses half the digits.
-    (a, b, c), (d, e, f) = u.tolist(), v.tolist()
-    sine = math.hypot(b * f - c * e, c * d - a * f, a * e - b * d)
-    return math.degrees(math.atan2(sine, a * d + b * e + c * f))
+@dataclass(frozen=True, slots=True, eq=False)
+class _Plan:
+    """Indices of what each annotation speaks of; `places` are those of the annotations.
+
+    Parameters
+    ----------
+    units : tuple of str
+        Of each annotation.
+    ends : (m, 2) int array
+    corner_places : (k,) int array
+    corners : (k, 3) int array
+        Vertex of each right angle and the other ends of its edges.
+    parallels, equals : groups of edges
+    ground : groups of vertices
+    length_places, length_edges, lengths_mm : (k,) arrays
+    others : annotations with their places
+    """
+
+    units: tuple[str, ...]
+    ends: IntArray
+    corner_places: IntArray
+    corners: IntArray
+    parallels: _Groups
+    equals: _Groups
+    ground: _Groups
+    length_places: IntArray
+    length_edges: IntArray
+    lengths_mm: Array
+    others: tuple[tuple[int, Annotation], ...]
+
+    def measure(self, X: Array) -> Array:
+        """Residuals of all but the others, (n,)."""
+        values = np.full(len(self.units), np.nan)
+        at, p, q = (X[self.corners[:, k]] for k in range(3))
+        values[self.corner_places] = np.abs(_angles_deg(p - at, q - at) - 90.0)
+        along = X[self.ends[:, 1]] - X[self.ends[:, 0]]
+        lengths = np.sqrt(np.einsum("ei,ei->e", along, along))
+        values[self.length_places] = np.abs(lengths[self.length_edges] - self.lengths_mm)
+        if len(self.parallels.places):
+            values[self.parallels.places] = _unparallel_deg(along, self.parallels)
+        if len(self.equals.places):
+            of_each = lengths[self.equals.items]
+            longest = np.maximum.reduceat(of_each, self.equals.first)
+            values[self.equals.places] = longest - np.minimum.reduceat(of_each, self.equals.first)
+        if len(self.ground.places):
+            heights = np.abs(X[self.ground.items, 2])
+            values[self.ground.places] = np.maximum.reduceat(heights, self.ground.first)
+        return values
+
+
+@kept
+def _plan(topology: Topology) -> _Plan:
+    edges, vertices, ends = topology.edges, topology.vertices, topology.ends
+    said = list(enumerate(topology.annotations))
+    places = {id_: k for k, id_ in enumerate(topology.annotation_ids)}
+    at, edge = topology.right_angles[:, 0], topology.right_angles[:, 1:]
+    # The sum of an edge's ends less the one is the other.
+    far = ends.sum(axis=1)[edge] - at[:, None]
+    lengths = [(k, a) for k, a in said if isinstance(a, Length)]
+    return _Plan(
+        units=tuple(a.unit for _, a in said),
+        ends=ends,
+        corner_places=np.array([places[i] for i in topology.right_angle_ids], dtype=np.int64),
+        corners=np.column_stack([at, far]),
+        parallels=_Groups.of(
+            [(k, [edges[e] for e in a.edges]) for k, a in said if isinstance(a, Parallel)]
+        ),
+        equals=_Groups.of(
+            [(k, [edges[e] for e in a.edges]) for k, a in said if isinstance(a, EqualLength)]
+        ),
+        ground=_Groups.of(
+            [(k, [vertices[v] for v in a.vertices]) for k, a in said if isinstance(a, Ground)]
+        ),
+        length_places=np.array([k for k, _ in lengths], dtype=np.int64),
+        length_edges=np.array([edges[a.edge] for _, a in lengths], dtype=np.int64),
+        lengths_mm=np.array([a.length_mm for _, a in lengths], dtype=float),
+        others=tuple((k, a) for k, a in said if isinstance(a, Diameter | SymmetryPlane | OnFace)),
+    )
+
+
+def _unparallel_deg(along: Array, groups: _Groups) -> Array:
+    """The largest angle of each group's edges to its first one."""
+    sizes = np.diff(groups.first, append=len(groups.items))
+    firsts = np.repeat(groups.items[groups.first], sizes)
+    angles = _angles_deg(along[firsts], along[groups.items])
+    # An edge is parallel to itself, though its own length may be 0.
+    angles[groups.first] = 0.0
+    return np.asarray(np.maximum.reduceat(np.minimum(angles, 180.0 - angles), groups.first))
+
+
+def _angles_deg(u: Array, v: Array) -> Array:
+    # atan2 keeps its accuracy near 0 and 90 degrees, where acos loses half the digits.
+    w = cross(u, v)
+    sine = np.sqrt(np.einsum("ki,ki->k", w, w))
+    return np.asarray(np.degrees(np.arctan2(sine, np.einsum("ki,ki->k", u, v))))
+
+
+def _measure(
+    annotation: Annotation,
+    graph: SketchGraph,
+    at: Mapping[str, Array],
+    faces: Mapping[str, Face],
+    circles: Mapping[str, SolvedCircle],
+) -> float:
+    """The residual of an annotation of which a sketch has few; NaN where there is none."""
+    if isinstance(annotation, Diameter):
+        return abs(2 * circles[annotation.circle].radius_mm - annotation.diameter_mm)
+    if isinstance(annotation, SymmetryPlane):
+        edges = [graph.edges[e] for e in annotation.midpoints_of]
+        return _off_middle(np.array([[at[v], at[w]] for v, w in edges]))
+    if isinstance(annotation, OnFace) and annotation.face in faces:
+        corners = np.array([at[v] for v in faces[annotation.face].loop])
+        return _off_plane(at[annotation.vertex], corners)
+    return float("nan")
+
+
+def _off_middle(ends: Array) -> float:
+    """How far the middles of edges (k, 2, 3) are from the plane square to the first one."""
+    first = ends[0, 1] - ends[0, 0]
+    normal = first / max(float(np.linalg.norm(first)), 1e-300)
+    middles = ends.mean(axis=1)
+    return float(np.abs((middles - middles[0]) @ normal).max())
+
+
+def _off_plane(point: Array, corners: Array) -> float:
+    middle = corners.mean(axis=0)
+    normal = np.linalg.svd(corners - middle)[2][2]
+    return abs(float((point - middle) @ normal))

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
+import numpy as np
+
 from .camera import Camera
 from .graph import Face, face_to_json
-from .values import Array, frozen_array, frozen_mapping
+from .values import Array, frozen_array, frozen_mapping, frozen_rows
 
 FORMAT = "incontext/solution"
 VERSION = 1
@@ -30,6 +32,43 @@ class Residual:
 
     value: float
     unit: str
+
+
+class Residuals(Mapping[str, Residual]):
+    """Residuals by annotation id, held as arrays: a sketch has thousands, and few are looked at.
+
+    Parameters
+    ----------
+    ids : tuple of str
+    values : (n,) array
+    units : tuple of str
+    """
+
+    __slots__ = ("_ids", "_numbers", "_place", "_units")
+
+    def __init__(self, ids: tuple[str, ...], values: Array, units: tuple[str, ...]) -> None:
+        self._ids, self._units = ids, units
+        self._numbers = frozen_array(values)
+        self._place: dict[str, int] | None = None
+
+    def __getitem__(self, id_: str) -> Residual:
+        if self._place is None:
+            self._place = {name: k for k, name in enumerate(self._ids)}
+        return self._at(self._place[id_])
+
+    def _at(self, k: int) -> Residual:
+        return Residual(float(self._numbers[k]), self._units[k])
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._ids)
+
+    def __len__(self) -> int:
+        return len(self._ids)
+
+    def above(self, limit: float) -> dict[str, Residual]:
+        """Those whose value is above a limit, whatever their unit."""
+        chosen = np.flatnonzero(self._numbers > limit).tolist()
+        return {self._ids[k]: self._at(k) for k in chosen}
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,8 +141,7 @@ class Solution:
     report: Report = field(default_factory=Report)
 
     def __post_init__(self) -> None:
-        vertices = {id_: frozen_array(x, (3,)) for id_, x in self.vertices_mm.items()}
-        object.__setattr__(self, "vertices_mm", frozen_mapping(vertices))
+        object.__setattr__(self, "vertices_mm", frozen_rows(self.vertices_mm))
         for name in ("edges", "faces", "circles"):
             object.__setattr__(self, name, frozen_mapping(getattr(self, name)))
 

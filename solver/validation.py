@@ -8,15 +8,20 @@ from enum import StrEnum
 
 import numpy as np
 
-from .annotations import Diameter, Ground, Length, OnFace, RightAngle, targets_of
+from .annotations import Annotation, Diameter, Length, OnFace, RightAngle, targets_of
 from .circles import flat_circles
 from .diagnosis import clashing_annotations
 from .graph import SketchGraph
 from .revolution import without_profiles
 from .structure import build_structure
+from .topology import Topology, topology_of
+from .union_find import UnionFind
+from .values import Array, kept
 
 #: Drawn vertices nearer than this to each other are probably meant to be one, px.
 NEAR_PX = 3.0
+#: So many near pairs are told.
+MAX_NEAR = 100
 
 
 class Severity(StrEnum):
@@ -92,111 +97,146 @@ def _clashes(graph: SketchGraph) -> Iterator[Finding]:
 
 
 def _unused_vertices(graph: SketchGraph) -> Iterator[Finding]:
-    used = {v for ends in graph.edges.values() for v in ends}
-    used |= {v for r in graph.revolutions.values() for v in r.profile}
-    for v in graph.vertices:
-        if v not in used:
-            yield _warning(f"a vertex without edges ({v}); try: delete it", v)
+    for v in _without_edges(topology_of(graph)):
+        yield _warning(f"a vertex without edges ({v}); try: delete it", v)
+
+
+@kept
+def _without_edges(topology: Topology) -> tuple[str, ...]:
+    profiles = {v for r in topology.revolutions.values() for v in r.profile}
+    used = np.zeros(len(topology.vertices), dtype=bool)
+    used[topology.ends.reshape(-1)] = True
+    names = tuple(topology.vertices)
+    return tuple(names[k] for k in np.flatnonzero(~used).tolist() if names[k] not in profiles)
 
 
 def _near_vertices(graph: SketchGraph) -> Iterator[Finding]:
     names = list(graph.vertices)
-    if len(names) < 2:
-        return
-    points = np.array(list(graph.vertices.values()))
+    for i, j in _near_pairs(np.array([*graph.vertices.values()], dtype=float).reshape(-1, 2)):
+        pair = sorted((names[i], names[j]))
+        yield _warning(
+            f"two vertices almost in one place ({', '.join(pair)}); try: merge them", *pair
+        )
+
+
+def _near_pairs(points: Array) -> list[tuple[int, int]]:
+    """Pairs of points in almost one place, from left to right, so many as anybody reads."""
     order = np.argsort(points[:, 0], kind="stable")
-    for k, i in enumerate(order):
-        for j in order[k + 1 :]:
-            if points[j, 0] - points[i, 0] > NEAR_PX:
-                break
-            if abs(points[j, 1] - points[i, 1]) <= NEAR_PX:
-                pair = sorted((names[i], names[j]))
-                yield _warning(
-                    f"two vertices almost in one place ({', '.join(pair)}); try: merge them", *pair
-                )
+    x, y = points[order].T
+    left = np.arange(len(points))
+    found: list[tuple[int, int]] = []
+    for ahead in range(1, len(points)):
+        left = left[left < len(points) - ahead]
+        left = left[x[left + ahead] - x[left] <= NEAR_PX]
+        if not len(left) or len(found) > MAX_NEAR:
+            break
+        near = left[np.abs(y[left + ahead] - y[left]) <= NEAR_PX]
+        found += zip(near.tolist(), (near + ahead).tolist(), strict=True)
+    return [(int(order[i]), int(order[j])) for i, j in sorted(found)[:MAX_NEAR]]
 
 
 def _outside_photo(graph: SketchGraph) -> Iterator[Finding]:
     if graph.photo is None:
         return
-    wide, high = graph.photo.width_px, graph.photo.height_px
-    far = [
-        v
-        for v, (x, y) in graph.vertices.items()
-        if not (-wide <= x <= 2 * wide and -high <= y <= 2 * high)
-    ]
-    if far:
+    size = np.array([graph.photo.width_px, graph.photo.height_px], dtype=float)
+    points = np.array([*graph.vertices.values()], dtype=float).reshape(-1, 2)
+    outside = ((points < -size) | (points > 2 * size)).any(axis=1)
+    if outside.any():
+        names = list(graph.vertices)
+        far = [names[k] for k in np.flatnonzero(outside).tolist()]
         yield _warning(f"far outside the photo ({', '.join(far[:5])}); try: move them", *far)
 
 
 def _no_right_angles(graph: SketchGraph) -> Iterator[Finding]:
-    straight = without_profiles(graph).edges
-    if straight and not any(isinstance(a, RightAngle) for a in graph.annotations.values()):
+    if not len(topology_of(graph).right_angles) and without_profiles(graph).edges:
         yield _warning("no right angle is marked; try: click the corners that are square")
 
 
 def _apart(graph: SketchGraph) -> Iterator[Finding]:
     """Parts that neither an edge nor an annotation joins float in space."""
-    parts = _parts(graph)
-    if len(parts) > 1:
-        loose = min((sorted(p) for p in parts), key=len)[:5]
+    count, loose = _smallest_part(topology_of(graph))
+    if count > 1:
         yield _warning(
-            f"{len(parts)} parts that nothing joins ({', '.join(loose)} ...); "
+            f"{count} parts that nothing joins ({', '.join(loose)} ...); "
             "try: ground, parallel or on_face between them",
             *loose,
         )
 
 
-def _parts(graph: SketchGraph) -> list[set[str]]:
-    groups = [set(ends) for ends in graph.edges.values()]
-    for annotation in graph.annotations.values():
+@kept
+def _smallest_part(topology: Topology) -> tuple[int, tuple[str, ...]]:
+    """How many parts there are, and some vertices of the smallest one."""
+    sets = UnionFind(len(topology.vertices))
+    touched: set[int] = set()
+    for group in (*topology.ends.tolist(), *_joined_by_annotations(topology)):
+        touched.update(group)
+        for i in group[1:]:
+            sets.union(group[0], i)
+    names = tuple(topology.vertices)
+    parts: dict[int, list[str]] = {}
+    for i in sorted(touched):
+        parts.setdefault(sets.find(i), []).append(names[i])
+    smallest = min((sorted(part) for part in parts.values()), key=len, default=[])
+    return len(parts), tuple(smallest[:5])
+
+
+def _joined_by_annotations(topology: Topology) -> Iterator[list[int]]:
+    """The vertices that each annotation speaks of."""
+    ends = topology.ends.tolist()
+    for annotation in topology.annotations:
+        # A right angle's edges meet: they are joined already.
+        if isinstance(annotation, RightAngle):
+            continue
         named = targets_of(annotation)
-        joined = set(named.get("vertex", ()))
-        joined |= {v for e in named.get("edge", ()) for v in graph.edges[e]}
+        joined = [topology.vertices[v] for v in named.get("vertex", ())]
+        joined += [i for e in named.get("edge", ()) for i in ends[topology.edges[e]]]
         for f in named.get("face", ()):
-            face = (graph.faces or {}).get(f)
-            joined |= set(face.loop if face is not None else ())
-        groups.append(joined)
-    parts: list[set[str]] = []
-    for group in (g for g in groups if g):
-        touching = [p for p in parts if p & group]
-        merged = group.union(*touching)
-        parts = [p for p in parts if not p & group] + [merged]
-    return parts
+            face = (topology.faces or {}).get(f)
+            joined += [topology.vertices[v] for v in (face.loop if face is not None else ())]
+        if joined:
+            yield joined
 
 
 def _no_ground(graph: SketchGraph) -> Iterator[Finding]:
     drawn = graph.edges or graph.circles
-    if (
-        drawn
-        and not graph.revolutions
-        and not any(isinstance(a, Ground) for a in graph.annotations.values())
-    ):
+    if drawn and not graph.revolutions and not len(topology_of(graph).ground):
         yield _warning("no vertex stands on the ground; try: mark those that do")
 
 
 def _no_length(graph: SketchGraph) -> Iterator[Finding]:
-    if graph.edges and not any(
-        isinstance(a, Length | Diameter) for a in graph.annotations.values()
-    ):
+    if graph.edges and not (_kinds(topology_of(graph)) & {Length, Diameter}):
         yield _warning("no length is given, so the longest edge will be 100 mm; try: give one")
 
 
+@kept
+def _kinds(topology: Topology) -> frozenset[type[Annotation]]:
+    return frozenset(type(a) for a in topology.annotations)
+
+
 def _face_edges(graph: SketchGraph) -> Iterator[Finding]:
-    drawn = {frozenset(ends) for ends in graph.edges.values()}
-    for id_, face in (graph.faces or {}).items():
+    for id_, gaps in _undrawn_sides(topology_of(graph)):
+        yield _warning(f"face {id_} has sides that are not drawn ({', '.join(gaps)})", id_)
+
+
+@kept
+def _undrawn_sides(topology: Topology) -> tuple[tuple[str, list[str]], ...]:
+    drawn = {frozenset(pair) for pair in topology.ends.tolist()}
+    index = topology.vertices
+    found = []
+    for id_, face in (topology.faces or {}).items():
         for loop in face.loops:
             gaps = [
                 f"{a}-{b}"
                 for a, b in zip(loop, loop[1:] + loop[:1], strict=True)
-                if frozenset((a, b)) not in drawn
+                if frozenset((index[a], index[b])) not in drawn
             ]
             if gaps:
-                yield _warning(f"face {id_} has sides that are not drawn ({', '.join(gaps)})", id_)
+                found.append((id_, gaps))
+    return tuple(found)
 
 
 def _unknown_faces(graph: SketchGraph) -> Iterator[Finding]:
-    if graph.faces is None:
+    if graph.faces is None and OnFace in _kinds(topology_of(graph)):
         for id_, a in graph.annotations.items():
             if isinstance(a, OnFace):
                 yield _warning(

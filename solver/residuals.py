@@ -15,6 +15,7 @@ from .annotations import (
     Length,
     OnFace,
     Parallel,
+    RightAngle,
     SymmetryPlane,
 )
 from .geometry import cross
@@ -35,17 +36,16 @@ def annotation_residuals(
     Right angles and parallels in degrees, all else in mm; for groups the largest deviation.
     A vertex on a face that is not there has none.
     """
-    topology = topology_of(graph)
-    plan = _plan(topology)
+    plan = _plan(topology_of(graph), graph.annotations)
     X = np.array([vertices_mm[v] for v in graph.vertices], dtype=float).reshape(-1, 3)
     values = plan.measure(X)
     for place, annotation in plan.others:
         values[place] = _measure(annotation, graph, vertices_mm, faces, circles)
     told = np.isfinite(values)
     if told.all():
-        return Residuals(topology.annotation_ids, values, plan.units)
+        return Residuals(plan.ids, values, plan.units)
     chosen = np.flatnonzero(told).tolist()
-    ids = tuple(topology.annotation_ids[k] for k in chosen)
+    ids = tuple(plan.ids[k] for k in chosen)
     return Residuals(ids, values[told], tuple(plan.units[k] for k in chosen))
 
 
@@ -73,7 +73,7 @@ class _Plan:
 
     Parameters
     ----------
-    units : tuple of str
+    ids, units : tuples of str
         Of each annotation.
     ends : (m, 2) int array
     corner_places : (k,) int array
@@ -85,6 +85,7 @@ class _Plan:
     others : annotations with their places
     """
 
+    ids: tuple[str, ...]
     units: tuple[str, ...]
     ends: IntArray
     corner_places: IntArray
@@ -118,18 +119,20 @@ class _Plan:
 
 
 @kept
-def _plan(topology: Topology) -> _Plan:
+def _plan(topology: Topology, annotations: Mapping[str, Annotation]) -> _Plan:
     edges, vertices, ends = topology.edges, topology.vertices, topology.ends
-    said = list(enumerate(topology.annotations))
-    places = {id_: k for k, id_ in enumerate(topology.annotation_ids)}
-    at, edge = topology.right_angles[:, 0], topology.right_angles[:, 1:]
+    said = list(enumerate(annotations.values()))
+    corners = [(k, a) for k, a in said if isinstance(a, RightAngle)]
+    at = np.array([vertices[a.at] for _, a in corners], dtype=np.int64)
+    pairs = np.array([edges[e] for _, a in corners for e in a.between], dtype=np.int64)
     # The sum of an edge's ends less the one is the other.
-    far = ends.sum(axis=1)[edge] - at[:, None]
+    far = ends.sum(axis=1)[pairs.reshape(-1, 2)] - at[:, None]
     lengths = [(k, a) for k, a in said if isinstance(a, Length)]
     return _Plan(
+        ids=tuple(annotations),
         units=tuple(a.unit for _, a in said),
         ends=ends,
-        corner_places=np.array([places[i] for i in topology.right_angle_ids], dtype=np.int64),
+        corner_places=np.array([k for k, _ in corners], dtype=np.int64),
         corners=np.column_stack([at, far]),
         parallels=_Groups.of(
             [(k, [edges[e] for e in a.edges]) for k, a in said if isinstance(a, Parallel)]

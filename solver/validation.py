@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -154,7 +154,7 @@ def _no_right_angles(graph: SketchGraph) -> Iterator[Finding]:
 
 def _apart(graph: SketchGraph) -> Iterator[Finding]:
     """Parts that neither an edge nor an annotation joins float in space."""
-    count, loose = _smallest_part(topology_of(graph))
+    count, loose = _smallest_part(topology_of(graph), graph.annotations)
     if count > 1:
         yield _warning(
             f"{count} parts that nothing joins ({', '.join(loose)} ...); "
@@ -164,11 +164,13 @@ def _apart(graph: SketchGraph) -> Iterator[Finding]:
 
 
 @kept
-def _smallest_part(topology: Topology) -> tuple[int, tuple[str, ...]]:
+def _smallest_part(
+    topology: Topology, annotations: Mapping[str, Annotation]
+) -> tuple[int, tuple[str, ...]]:
     """How many parts there are, and some vertices of the smallest one."""
     sets = UnionFind(len(topology.vertices))
     touched: set[int] = set()
-    for group in (*topology.ends.tolist(), *_joined_by_annotations(topology)):
+    for group in (*topology.ends.tolist(), *_joined_by_annotations(topology, annotations)):
         touched.update(group)
         for i in group[1:]:
             sets.union(group[0], i)
@@ -180,10 +182,12 @@ def _smallest_part(topology: Topology) -> tuple[int, tuple[str, ...]]:
     return len(parts), tuple(smallest[:5])
 
 
-def _joined_by_annotations(topology: Topology) -> Iterator[list[int]]:
+def _joined_by_annotations(
+    topology: Topology, annotations: Mapping[str, Annotation]
+) -> Iterator[list[int]]:
     """The vertices that each annotation speaks of."""
     ends = topology.ends.tolist()
-    for annotation in topology.annotations:
+    for annotation in annotations.values():
         # A right angle's edges meet: they are joined already.
         if isinstance(annotation, RightAngle):
             continue
@@ -204,13 +208,13 @@ def _no_ground(graph: SketchGraph) -> Iterator[Finding]:
 
 
 def _no_length(graph: SketchGraph) -> Iterator[Finding]:
-    if graph.edges and not (_kinds(topology_of(graph)) & {Length, Diameter}):
+    if graph.edges and not (_kinds(graph.annotations) & {Length, Diameter}):
         yield _warning("no length is given, so the longest edge will be 100 mm; try: give one")
 
 
 @kept
-def _kinds(topology: Topology) -> frozenset[type[Annotation]]:
-    return frozenset(type(a) for a in topology.annotations)
+def _kinds(annotations: Mapping[str, Annotation]) -> frozenset[type[Annotation]]:
+    return frozenset(type(a) for a in annotations.values())
 
 
 def _face_edges(graph: SketchGraph) -> Iterator[Finding]:
@@ -236,7 +240,7 @@ def _undrawn_sides(topology: Topology) -> tuple[tuple[str, list[str]], ...]:
 
 
 def _unknown_faces(graph: SketchGraph) -> Iterator[Finding]:
-    if graph.faces is None and OnFace in _kinds(topology_of(graph)):
+    if graph.faces is None and OnFace in _kinds(graph.annotations):
         for id_, a in graph.annotations.items():
             if isinstance(a, OnFace):
                 yield _warning(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -212,7 +212,7 @@ def _faces(graph: SketchGraph, vertices: dict[str, Array]) -> dict[str, Face]:
         return {}
 
 
-def _unmet(residuals: dict[str, Residual], size_mm: float) -> list[str]:
+def _unmet(residuals: Mapping[str, Residual], size_mm: float) -> list[str]:
     limit = {"deg": ANGLE_TOLERANCE_DEG, "mm": LENGTH_TOLERANCE * size_mm}
     off = {id_: r.value / limit[r.unit] for id_, r in residuals.items()}
     return sorted((id_ for id_, value in off.items() if not value <= 1.0), key=lambda i: -off[i])

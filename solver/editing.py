@@ -135,6 +135,21 @@ def split_edge(graph: SketchGraph, edge: str, point_px: Point) -> tuple[SketchGr
     return _straight(larger, edge, half), middle
 
 
+def split_crossing(
+    graph: SketchGraph, one: str, two: str, point_px: Point
+) -> tuple[SketchGraph, str]:
+    """The graph with one vertex on two edges that cross, and its id; see `split_edge`.
+
+    Raises
+    ------
+    SketchReferenceError
+        Where an edge is not there.
+    """
+    graph, middle = split_edge(graph, one, point_px)
+    graph, twin = split_edge(graph, two, point_px)
+    return merge_vertices(graph, middle, twin), middle
+
+
 def _split_faces(faces: Mapping[str, Face], ends: set[str], middle: str) -> dict[str, Face]:
     def split(loop: tuple[str, ...]) -> tuple[str, ...]:
         return _split_chain((*loop, loop[0]), ends, middle)[:-1]

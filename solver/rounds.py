@@ -9,12 +9,12 @@ axis end
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
 from .annotating import annotate, without_annotations
 from .annotations import Diameter
-from .editing import rounded
+from .editing import move_vertices, rounded
 from .errors import SketchError
 from .graph import Ellipse, Point, Revolution, SketchGraph
 from .ids import fresh_id, need
@@ -137,3 +137,46 @@ def set_revolution(
     larger = replace(graph, revolutions={**graph.revolutions, id_: Revolution(*circles, vertices)})
     check_references(larger)
     return larger, id_
+
+
+def move(
+    graph: SketchGraph,
+    vertices: Mapping[str, Point],
+    circles: Mapping[str, Ellipse] | None = None,
+) -> SketchGraph:
+    """The graph with vertices and circles elsewhere; what they share places with follows.
+
+    A vertex that lies on an axis end of a circle stays on it, whichever of the two is moved.
+
+    Raises
+    ------
+    SketchReferenceError
+        Where one is not there.
+    """
+    given = circles or {}
+    need(given, graph.circles)
+    drawn = {c: ordered(ellipse) for c, ellipse in given.items()}
+    follow = {
+        v: place
+        for c, ellipse in given.items()
+        for old, place in zip(_ends(graph.circles[c]), _ends(ellipse), strict=True)
+        for v in vertices_at(graph, old)
+        if v not in vertices
+    }
+    for v, place in vertices.items():
+        for c, ellipse in graph.circles.items():
+            ends = [(axis, k) for axis in "ab" for k in (0, 1)]
+            for (axis, k), old in zip(ends, _ends(ellipse), strict=True):
+                if c not in drawn and old == graph.vertices.get(v):
+                    drawn[c] = ordered(pulled(ellipse, axis, k, place))
+    moved = move_vertices(graph, {**vertices, **follow})
+    return replace(moved, circles={**graph.circles, **drawn})
+
+
+def _ends(drawn: Ellipse) -> tuple[Point, Point, Point, Point]:
+    return (*drawn.a, *drawn.b)
+
+
+def vertices_at(graph: SketchGraph, point_px: Point) -> list[str]:
+    """The vertices that lie in one place."""
+    return [v for v, place in graph.vertices.items() if place == point_px]

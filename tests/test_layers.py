@@ -54,6 +54,7 @@ DATA_SIDE = {
     "annotating",
     "rounds",
     "listing",
+    "geometry",
 }
 
 

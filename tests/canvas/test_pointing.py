@@ -48,8 +48,8 @@ def test_box_takes_whole_edges(cross):
 
 
 def test_snapping_prefers_vertices_then_midpoints_then_edges(cross):
-    found = {at: snap(cross, at, 8).kind.value for at in ((48, 2), (24, 2), (36, 2), (30, 30))}
-    assert list(found.values()) == ["vertex", "midpoint", "edge", "free"]
+    found = {at: snap(cross, at, 8).kind.name for at in ((48, 2), (24, 2), (36, 2), (30, 30))}
+    assert list(found.values()) == ["VERTEX", "MIDPOINT", "EDGE", "FREE"]
     assert snap(cross, (36, 2), 8).point_px == (36, 0)
 
 

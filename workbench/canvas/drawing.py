@@ -102,7 +102,9 @@ class Drawing:
     def select(self, selection: Selection) -> None:
         """Select something else; what is not there is left out."""
         self._selection = Selection(
-            selection.vertices & set(self._graph.vertices), selection.edges & set(self._graph.edges)
+            selection.vertices & set(self._graph.vertices),
+            selection.edges & set(self._graph.edges),
+            circles=selection.circles & set(self._graph.circles),
         )
         self._listener.changed()
 
@@ -191,7 +193,9 @@ class Drawing:
         """Take away what is selected."""
         chosen = self._selection
         if chosen and self._graph is self._committed:
-            smaller = delete(self._graph, vertices=chosen.vertices, edges=chosen.edges)
+            smaller = delete(
+                self._graph, vertices=chosen.vertices, edges=chosen.edges, circles=chosen.circles
+            )
             self.select(Selection())
             self.commit(smaller, "Delete")
             # It may have been at work on just that.
@@ -200,13 +204,15 @@ class Drawing:
     def select_all(self) -> None:
         """Select everything, with the tool for it."""
         self.use("select")
-        self.select(Selection(frozenset(self._graph.vertices), frozenset(self._graph.edges)))
+        graph = self._graph
+        vertices, edges, circles = map(frozenset, (graph.vertices, graph.edges, graph.circles))
+        self.select(Selection(vertices, edges, circles=circles))
 
     def toggle_construction(self) -> None:
-        """Make the selected edges construction, or part of the object again."""
-        if self._selection.edges and self._graph is self._committed:
-            edges = sorted(self._selection.edges)
-            self.commit(toggle_construction(self._graph, edges), "Change construction")
+        """Make the selected edges and circles construction, or part of the object again."""
+        chosen = sorted(self._selection.edges | self._selection.circles)
+        if chosen and self._graph is self._committed:
+            self.commit(toggle_construction(self._graph, chosen), "Change construction")
 
     def answer(self, question: Question, length_mm: float | None) -> None:
         """Say how long, how wide or how thick something is; None takes it back."""

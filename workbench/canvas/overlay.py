@@ -38,6 +38,8 @@ class Scene:
     screen : mapping of vertex to screen position
     circles : mapping of circle to its outline on the screen
     findings : Findings
+    rings : tuple of lines
+        Of surfaces of revolution, see `turning.rings_of`.
     """
 
     graph: SketchGraph
@@ -45,6 +47,7 @@ class Scene:
     screen: dict[str, Point]
     circles: dict[str, Stroke] = field(default_factory=dict)
     findings: Findings = Findings()
+    rings: tuple[Stroke, ...] = ()
 
     def ends(self, edge: str) -> tuple[Point, Point]:
         """Screen positions of an edge's two ends."""
@@ -59,6 +62,7 @@ def paint(painter: QtGui.QPainter, scene: Scene) -> None:
     _paint_conflicts(painter, scene)
     # Below the edges, whose ends they would cover else.
     _paint_right_angles(painter, scene)
+    stroke(painter, scene.rings, style.EDGE, style.RING_PX, dashed=True)
     _paint_edges(painter, scene)
     _paint_marks(painter, scene)
     _paint_vertices(painter, scene)

@@ -25,6 +25,16 @@ def foot(point: Point, start: Point, end: Point) -> Point:
     return (start[0] + part * du, start[1] + part * dv)
 
 
+def on_line(point: Point, start: Point, through: Point) -> Point:
+    """The place of the whole line through two others that is nearest to a point."""
+    du, dv = through[0] - start[0], through[1] - start[1]
+    square = du * du + dv * dv
+    if square == 0:
+        return start
+    part = ((point[0] - start[0]) * du + (point[1] - start[1]) * dv) / square
+    return (start[0] + part * du, start[1] + part * dv)
+
+
 def is_inside(point: Point, polygon: Sequence[Point]) -> bool:
     """Whether a point lies in a polygon, by counting the sides that a ray crosses."""
     inside = False
@@ -38,6 +48,22 @@ def is_inside(point: Point, polygon: Sequence[Point]) -> bool:
 def direction(start: Point, end: Point) -> float:
     """The angle of the way from one point to another, 0 to 2 pi, clockwise as seen."""
     return math.atan2(end[1] - start[1], end[0] - start[0]) % (2 * math.pi)
+
+
+def line_crossing(a: Point, b: Point, c: Point, d: Point) -> Point | None:
+    """Where the whole lines through two pairs of points cross; None where they are parallel."""
+    du, dv = b[0] - a[0], b[1] - a[1]
+    eu, ev = d[0] - c[0], d[1] - c[1]
+    sine = du * ev - dv * eu
+    if abs(sine) <= 1e-9 * math.hypot(du, dv) * math.hypot(eu, ev):
+        return None
+    part = ((c[0] - a[0]) * ev - (c[1] - a[1]) * eu) / sine
+    return (a[0] + part * du, a[1] + part * dv)
+
+
+def crossing(a: Point, b: Point, c: Point, d: Point) -> Point | None:
+    """Where two segments cross each other, if they do, their ends not counted."""
+    return line_crossing(a, b, c, d) if _cross(a, b, c, d) else None
 
 
 def cross_themselves(polygon: Sequence[Point]) -> bool:

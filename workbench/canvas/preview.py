@@ -22,6 +22,14 @@ class Selection:
     def __bool__(self) -> bool:
         return bool(self.vertices or self.edges or self.circles)
 
+    def touches(self, other: Selection) -> bool:
+        """Whether something is in both."""
+        return bool(
+            self.vertices & other.vertices
+            or self.edges & other.edges
+            or self.circles & other.circles
+        )
+
     def toggled(self, other: Selection) -> Selection:
         """With what is in one of the two, without what is in both."""
         return Selection(
@@ -59,6 +67,8 @@ class Preview:
         Faces that a press would take.
     guides : tuple of lines
         Fine lines that explain what is meant: an axis, say.
+    grips : tuple of positions
+        The axis ends of circles, to be pulled.
     """
 
     lit: Selection = Selection()
@@ -68,3 +78,4 @@ class Preview:
     snap: Snap | None = None
     areas: tuple[tuple[Point, ...], ...] = ()
     guides: tuple[tuple[Point, ...], ...] = ()
+    grips: tuple[Point, ...] = ()

@@ -10,7 +10,7 @@ from . import style, symbols
 from .overlay import Scene, polygon, stroke
 from .plane import middle
 from .qt import QtCore, QtGui
-from .snapping import SnapKind
+from .snapping import Snap, SnapKind
 
 if TYPE_CHECKING:
     from .preview import Preview, Selection
@@ -21,11 +21,15 @@ _Qt = QtCore.Qt
 
 @dataclass(frozen=True, slots=True)
 class Work:
-    """What is at work: a tool's preview, the selection, and the way from photo to screen."""
+    """What is at work: a tool's preview, the selection, and the way from photo to screen.
+
+    `in_words` puts a word into the person's language.
+    """
 
     preview: Preview
     selection: Selection
     on_screen: Callable[[Point], Point]
+    in_words: Callable[[str], str] = str
 
 
 def paint_below(painter: QtGui.QPainter, scene: Scene, work: Work) -> None:
@@ -63,13 +67,15 @@ def paint_above(painter: QtGui.QPainter, scene: Scene, work: Work) -> None:
     """Paint all the rest."""
     _vertices(painter, scene, work.selection.vertices, style.SELECTED)
     _vertices(painter, scene, work.preview.lit.vertices, style.HOVER)
+    _fine(painter, [[work.on_screen(p) for p in line] for line in work.preview.guides])
     bands = [[work.on_screen(p) for p in line] for line in work.preview.strokes]
     stroke(painter, bands, style.EDGE, style.EDGE_PX, dashed=True)
     _corners(painter, scene, work.preview)
     if work.preview.box is not None:
         _box(painter, [work.on_screen(p) for p in work.preview.box])
+    _grips(painter, [work.on_screen(p) for p in work.preview.grips])
     if work.preview.snap is not None:
-        _snap(painter, work.preview.snap.kind, work.on_screen(work.preview.snap.point_px))
+        _snap(painter, work.preview.snap, work)
 
 
 def _vertices(painter: QtGui.QPainter, scene: Scene, vertices: frozenset[str], colour: str) -> None:
@@ -96,16 +102,53 @@ def _box(painter: QtGui.QPainter, corners: list[Point]) -> None:
     painter.drawRect(QtCore.QRectF(*(QtCore.QPointF(*corner) for corner in corners)).normalized())
 
 
-def _snap(painter: QtGui.QPainter, kind: SnapKind, place: Point) -> None:
-    """A ring on a vertex, a triangle on a midpoint, a cross on an edge."""
-    x, y = place
+def _fine(painter: QtGui.QPainter, lines: list[list[Point]]) -> None:
+    stroke(painter, lines, style.GUIDE, style.GUIDE_PX, dashed=True)
+
+
+def _grips(painter: QtGui.QPainter, places: list[Point]) -> None:
+    """Small squares, by which circles are pulled."""
+    painter.setPen(QtGui.QPen(QtGui.QColor(style.EDGE), 1.5))
+    painter.setBrush(QtGui.QColor(style.VERTEX))
+    half = style.GRIP_PX / 2
+    for x, y in places:
+        painter.drawRect(QtCore.QRectF(x - half, y - half, 2 * half, 2 * half))
+
+
+def _snap(painter: QtGui.QPainter, snap: Snap, work: Work) -> None:
+    """A mark for what the pointer sticks to, its word beside it, and the guide that leads."""
+    x, y = work.on_screen(snap.point_px)
     r = style.SNAP_PX
+    ring = symbols.ellipse(((x - r, y), (x + r, y)), ((x, y - r), (x, y + r)))
+    cross = [((x - r, y - r), (x + r, y + r)), ((x - r, y + r), (x + r, y - r))]
     marks = {
-        SnapKind.VERTEX: [symbols.ellipse(((x - r, y), (x + r, y)), ((x, y - r), (x, y + r)))],
+        SnapKind.VERTEX: [ring],
+        SnapKind.AXIS_END: [((x - r, y), (x, y - r), (x + r, y), (x, y + r), (x - r, y))],
         SnapKind.MIDPOINT: [((x - r, y + r), (x, y - r), (x + r, y + r), (x - r, y + r))],
-        SnapKind.EDGE: [((x - r, y - r), (x + r, y + r)), ((x - r, y + r), (x + r, y - r))],
+        SnapKind.EDGE: cross,
+        SnapKind.CROSSING: [ring, *cross],
     }
-    stroke(painter, marks.get(kind, []), style.SNAP, style.EDGE_PX)
+    if snap.guide is not None:
+        _fine(painter, [[work.on_screen(p) for p in snap.guide]])
+    stroke(painter, marks.get(snap.kind, []), style.SNAP, style.EDGE_PX)
+    if snap.kind is not SnapKind.FREE:
+        _word(painter, work.in_words(snap.kind.value), (x + 1.6 * r, y + 2.4 * r))
+
+
+def _word(painter: QtGui.QPainter, word: str, place: Point) -> None:
+    font = painter.font()
+    font.setPixelSize(style.TEXT_PX)
+    font.setBold(False)
+    painter.setFont(font)
+    size = painter.fontMetrics().size(0, word)
+    plaque = QtCore.QRectF(place[0], place[1], size.width() + 8, size.height() + 2)
+    fill = QtGui.QColor(style.CASING)
+    fill.setAlpha(style.CASING_ALPHA)
+    painter.setPen(_Qt.NoPen)
+    painter.setBrush(fill)
+    painter.drawRoundedRect(plaque, 3, 3)
+    painter.setPen(QtGui.QColor(style.TEXT))
+    painter.drawText(plaque, _Qt.AlignCenter, word)
 
 
 def paint_invitation(painter: QtGui.QPainter, area: QtCore.QRect, words: str) -> None:

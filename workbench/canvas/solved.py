@@ -16,12 +16,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...solver.geometry import cross
 from ...solver.listing import choices, found_faces
 from .plane import Point, is_inside, middle
 
 if TYPE_CHECKING:
     from ...solver.graph import Face, SketchGraph
     from ...solver.solution import Solution
+
+
+#: Edges whose lines pass this near to each other, in parts of their lengths, meet.
+NEAR = 1e-3
+#: A direction this near to the photo's plane (sine) vanishes too far off to lead anything.
+FLAT = 1e-4
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,6 +61,30 @@ class Solved:
                 strict=True,
             )
         )
+
+    @cached_property
+    def vanishing_px(self) -> tuple[Point, ...]:
+        """Where the object's three directions meet in the photo, those at a finite place."""
+        camera = self.solution.camera
+        if camera is None:
+            return ()
+        places = []
+        for towards in camera.rotation_cam_from_world.T:
+            if abs(towards[2]) > FLAT:
+                u, v = camera.focal_px * towards[:2] / towards[2] + camera.principal_point_px
+                places.append((float(u), float(v)))
+        return tuple(places)
+
+    def meet(self, one: str, two: str) -> bool:
+        """Whether two edges, lengthened, meet in space."""
+        edges, at = self.solution.edges, self.solution.vertices_mm
+        if one not in edges or two not in edges:
+            return False
+        p, q, r, s = (at[v] for e in (one, two) for v in edges[e])
+        across = cross(q - p, s - r)
+        width = float(np.linalg.norm(across))
+        size = float(np.linalg.norm(q - p) + np.linalg.norm(s - r))
+        return width > 0 and abs(float((r - p) @ across)) <= NEAR * size * width
 
     def on_photo(self, points_mm: Iterable[np.ndarray]) -> list[Point]:
         """Photo positions of world points."""

@@ -16,6 +16,7 @@ HOVER = "#ffd21f"
 ANNOTATION = "#d8281c"
 SELECTED = "#00c2d1"
 SNAP = "#e0790b"
+GUIDE = "#c25e00"
 HOVER_LINE = "#e0a800"
 LOOSE = "#ff8c00"
 CONFLICT = "#ff0022"
@@ -43,6 +44,10 @@ CONFLICT_PX = 12.0
 """Of the bands behind edges of which annotations say what cannot be."""
 SNAP_PX = 7.0
 DOT_PX = 3.0
+GRIP_PX = 7.0
+GUIDE_PX = 1.0
+RING_PX = 1.0
+"""Of the circles that a side's points stand for."""
 
 #: A vertex is grabbed within this distance of the pointer.
 REACH_PX = 9.0

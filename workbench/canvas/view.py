@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from . import keys, overlay, previews, style, symbols
+from . import keys, overlay, previews, style, symbols, turning
 from .drawing import Drawing, Listener
 from .length_editor import LengthEditor
 from .marks import marks_of
@@ -55,6 +55,8 @@ class SketchView(PhotoView):
         super().__init__(parent)
         #: What is said in the middle of an empty sketch.
         self.invitation = ""
+        #: Puts a word into the person's language.
+        self.in_words: Callable[[str], str] = str
         self._findings = overlay.Findings()
         self._hint = ""
         listener = Listener(self.graph_edited.emit, self._refresh, self._ask)
@@ -121,8 +123,11 @@ class SketchView(PhotoView):
         }
         painter.save()
         painter.resetTransform()
-        scene = overlay.Scene(graph, marks_of(graph), screen, circles, self._findings)
-        work = previews.Work(self._drawing.preview, self._drawing.selection, self._on_screen)
+        rings = [tuple(map(self._on_screen, line)) for line in turning.rings_of(graph)]
+        scene = overlay.Scene(graph, marks_of(graph), screen, circles, self._findings, tuple(rings))
+        work = previews.Work(
+            self._drawing.preview, self._drawing.selection, self._on_screen, self.in_words
+        )
         previews.paint_below(painter, scene, work)
         overlay.paint(painter, scene)
         previews.paint_above(painter, scene, work)
@@ -168,8 +173,9 @@ class SketchView(PhotoView):
 
     def _pointer(self, event: QtGui.QMouseEvent) -> Pointer:
         point = self.mapToScene(event.pos())
-        adding = bool(event.modifiers() & (_Qt.ShiftModifier | _Qt.ControlModifier))
-        return Pointer((point.x(), point.y()), style.REACH_PX / self.zoom, adding)
+        free = bool(event.modifiers() & _Qt.ControlModifier)
+        adding = free or bool(event.modifiers() & _Qt.ShiftModifier)
+        return Pointer((point.x(), point.y()), style.REACH_PX / self.zoom, adding, free)
 
     # Keys
 

@@ -75,6 +75,26 @@ class Rectangle(ToolCommand):
     TOOLTIP = "One drag makes four edges and four right angles; move the corners afterwards"
 
 
+class Circle(ToolCommand):
+    """Draw circles."""
+
+    NAME = "InContext_ToolCircle"
+    ICON = "InContext_ToolCircle"
+    TOOL, KEY = "circle", "C"
+    MENU_TEXT = "Circle"
+    TOOLTIP = "Drag a box around a horizontal circle as it is seen; pull its four grips afterwards"
+
+
+class Revolution(ToolCommand):
+    """Draw surfaces of revolution."""
+
+    NAME = "InContext_ToolRevolution"
+    ICON = "InContext_ToolRevolution"
+    TOOL, KEY = "revolution", "V"
+    MENU_TEXT = "Surface of revolution"
+    TOOLTIP = "Draw the ground, bottom and top circle, then the side from bottom to top"
+
+
 class RightAngle(ToolCommand):
     """Mark right angles."""
 
@@ -149,6 +169,8 @@ TOOL_COMMANDS: tuple[type[ToolCommand], ...] = (
     Select,
     Line,
     Rectangle,
+    Circle,
+    Revolution,
     RightAngle,
     Parallel,
     EqualLength,
@@ -157,6 +179,9 @@ TOOL_COMMANDS: tuple[type[ToolCommand], ...] = (
     Thickness,
     LeaveOut,
 )
+
+#: So many draw; the others say what is true.
+FIRST = TOOL_COMMANDS.index(RightAngle)
 
 
 def register_tools() -> list[str]:
@@ -172,4 +197,4 @@ def register_tools() -> list[str]:
     for command in TOOL_COMMANDS:
         FreeCADGui.addCommand(command.NAME, command())
     names = [command.NAME for command in TOOL_COMMANDS]
-    return [*names[:3], "Separator", *names[3:]]
+    return [*names[:FIRST], "Separator", *names[FIRST:]]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 from .. import host
@@ -42,6 +43,7 @@ class SketchTab(QtGui.QWidget):
         self.setFocusProxy(self.view)
         self.setWindowTitle(title)
         self.setWindowIcon(QtGui.QIcon(host.icon("InContext_PhotoSketch")))
+        self.view.in_words = partial(host.translate, "InContext")
         self.view.invitation = host.translate("InContext", INVITATION)
         self.view.hint_changed.connect(self.show_hint)
         self.show_hint(self.view.hint)

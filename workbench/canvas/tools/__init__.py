@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from .base import Tool
+from .circle import CircleTool
 from .equal_length import EqualLengthTool
 from .faces import LeaveOutTool, ThicknessTool
 from .ground import GroundTool
@@ -10,6 +11,7 @@ from .length import LengthTool
 from .line import LineTool
 from .parallel import ParallelTool
 from .rectangle import RectangleTool
+from .revolution import RevolutionTool
 from .right_angle import RightAngleTool
 from .select import SelectTool
 
@@ -20,6 +22,8 @@ TOOLS: dict[str, type[Tool]] = {
         SelectTool,
         LineTool,
         RectangleTool,
+        CircleTool,
+        RevolutionTool,
         RightAngleTool,
         ParallelTool,
         EqualLengthTool,

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from ..plane import Point
 from ..preview import Preview
-from ..snapping import Snap, snap
+from ..snapping import Lead, Snap, SnapKind, always, never, snap
 
 if TYPE_CHECKING:
     from ..drawing import Drawing
@@ -30,12 +30,15 @@ class Pointer:
     reach_px : float
         How near is near, in photo px.
     adding : bool
-        Whether the key is held that adds to a selection.
+        Whether the key is held that adds to a selection, and joins edges where they cross.
+    is_free : bool
+        Whether the key is held that keeps the pointer from sticking to anything.
     """
 
     point_px: Point
     reach_px: float
     adding: bool = False
+    is_free: bool = False
 
     def is_far_from(self, point_px: Point, reaches: float = DRAG) -> bool:
         """Whether a position is more than so many times the reach away."""
@@ -113,7 +116,16 @@ class TwoPointTool(Tool):
     def move(self, pointer: Pointer) -> None:
         """Show what would be drawn."""
         self._reach_px = pointer.reach_px
-        self._end = snap(self.drawing.committed, pointer.point_px, pointer.reach_px)
+        self._end = self._snap(pointer)
+
+    def _snap(self, pointer: Pointer, lead: Lead | None = None) -> Snap:
+        """What the pointer sticks to, unless it is kept from it."""
+        if pointer.is_free:
+            return Snap(SnapKind.FREE, pointer.point_px)
+        solved = self.drawing.solved
+        meet = always if pointer.adding else never if solved is None else solved.meet
+        place, reach = pointer.point_px, pointer.reach_px
+        return snap(self.drawing.committed, place, reach, lead=lead, meet=meet)
 
     def release(self, pointer: Pointer) -> None:
         """End a drag; after a click, wait for the second one."""

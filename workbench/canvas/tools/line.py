@@ -6,8 +6,8 @@ import math
 
 from ....solver.editing import add_edge
 from ..preview import Preview
-from ..snapping import Snap, SnapKind, place
-from .base import DRAG, TwoPointTool
+from ..snapping import Lead, Snap, SnapKind, place
+from .base import DRAG, Pointer, TwoPointTool
 
 
 class LineTool(TwoPointTool):
@@ -22,13 +22,25 @@ class LineTool(TwoPointTool):
         """See `Tool`."""
         if self._start is None:
             return "Click the start of the line, or drag"
-        return "Click the end of the line; Esc or right click to stop"
+        return (
+            "Click the end; right click stops; Ctrl: free of snapping, Shift: join crossing edges"
+        )
 
     def preview(self) -> Preview:
         """See `Tool`."""
         if self._start is None or self._end is None:
             return Preview(snap=self._end)
         return Preview(strokes=((self._start.point_px, self._end.point_px),), snap=self._end)
+
+    def move(self, pointer: Pointer) -> None:
+        """See `Tool`: led by directions that are there, and by the perspective."""
+        self._reach_px = pointer.reach_px
+        lead = None
+        if self._start is not None:
+            solved = self.drawing.solved
+            vanishing = () if solved is None else solved.vanishing_px
+            lead = Lead(self._start.point_px, vanishing)
+        self._end = self._snap(pointer, lead)
 
     def graph_replaced(self) -> None:
         """See `Tool`: goes on drawing if the start is still there."""

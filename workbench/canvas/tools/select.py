@@ -4,15 +4,20 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ....solver.editing import merge_vertices, move_vertices
-from ..hit_testing import edge_at, inside_box, vertex_at
-from ..plane import Point
+from ....solver import rounds
+from ....solver.editing import merge_vertices
+from ..hit_testing import AxisEnd, axis_end_at, circle_at, edge_at, inside_box, vertex_at
+from ..plane import Point, on_line
 from ..preview import Preview, Selection
 from ..snapping import Snap, SnapKind
 from .base import TREMBLE, Pointer, Tool
 
 if TYPE_CHECKING:
     from ..drawing import Drawing
+
+
+#: A grip stays on its axis up to this many times the reach beside it; further off, the axis turns.
+STRAIGHT = 1.5
 
 
 class SelectTool(Tool):
@@ -32,13 +37,14 @@ class SelectTool(Tool):
         self._box: tuple[Point, Point] | None = None
         self._target: Snap | None = None
         self._is_drag = False
+        self._grip: AxisEnd | None = None
 
     @property
     def hint(self) -> str:
         """See `Tool`."""
         if self.drawing.selection:
             return "Drag to move, Delete to remove, X for construction; Shift-click adds"
-        return "Click or box to select; drag vertices and edges to move them"
+        return "Click or box to select; drag vertices, edges, circles and their grips to move them"
 
     @property
     def can_move(self) -> bool:
@@ -47,19 +53,26 @@ class SelectTool(Tool):
 
     def preview(self) -> Preview:
         """See `Tool`."""
-        return Preview(lit=self._lit, box=self._box, snap=self._target)
+        graph = self.drawing.graph
+        gripped = {self._grip[0]} if self._grip is not None else set()
+        circles = (self._lit.circles | self.drawing.selection.circles | gripped) & set(
+            graph.circles
+        )
+        grips = [p for c in sorted(circles) for p in (*graph.circles[c].a, *graph.circles[c].b)]
+        return Preview(lit=self._lit, box=self._box, snap=self._target, grips=tuple(grips))
 
     def press(self, pointer: Pointer) -> None:
         """See `Tool`."""
         self._pressed_at, self._is_drag = pointer.point_px, False
         self._under = self._hit(pointer)
+        self._grip = self._grip_at(pointer)
         if not self._under:
             self._box = (pointer.point_px, pointer.point_px)
             return
         chosen = self.drawing.selection
         if pointer.adding:
             self.drawing.select(chosen.toggled(self._under))
-        elif not (self._under.vertices & chosen.vertices or self._under.edges & chosen.edges):
+        elif not self._under.touches(chosen):
             self.drawing.select(self._under)
         self._moved = self._movable()
 
@@ -103,14 +116,28 @@ class SelectTool(Tool):
     def _forget(self) -> None:
         self._pressed_at = self._box = self._target = None
         self._is_drag = False
+        self._grip = None
 
     def _hit(self, pointer: Pointer) -> Selection:
-        graph = self.drawing.graph
-        vertex = vertex_at(graph, pointer.point_px, pointer.reach_px)
+        graph, reach = self.drawing.graph, pointer.reach_px
+        vertex = vertex_at(graph, pointer.point_px, reach)
         if vertex is not None:
             return Selection(vertices=frozenset((vertex,)))
-        edge = edge_at(graph, pointer.point_px, 0.7 * pointer.reach_px)
-        return Selection() if edge is None else Selection(edges=frozenset((edge,)))
+        grip = self._grip_at(pointer)
+        if grip is not None:
+            return Selection(circles=frozenset((grip[0],)))
+        edge = edge_at(graph, pointer.point_px, 0.7 * reach)
+        if edge is not None:
+            return Selection(edges=frozenset((edge,)))
+        circle = circle_at(graph, pointer.point_px, 0.7 * reach)
+        return Selection() if circle is None else Selection(circles=frozenset((circle,)))
+
+    def _grip_at(self, pointer: Pointer) -> AxisEnd | None:
+        """The grip of a circle under the pointer, where no vertex lies on it."""
+        graph, reach = self.drawing.graph, pointer.reach_px
+        if vertex_at(graph, pointer.point_px, reach) is not None:
+            return None
+        return axis_end_at(graph, pointer.point_px, reach, graph.circles)
 
     def _movable(self) -> frozenset[str]:
         """The selected vertices, and those of the selected edges."""
@@ -119,16 +146,37 @@ class SelectTool(Tool):
 
     def _drag(self, pointer: Pointer) -> None:
         before = self.drawing.committed
+        if self._grip is not None:
+            self._pull(pointer, self._grip)
+            return
         du = pointer.point_px[0] - self._pressed_at[0]
         dv = pointer.point_px[1] - self._pressed_at[1]
         places = {v: before.vertices[v] for v in self._moved}
         moved = {v: (u + du, w + dv) for v, (u, w) in places.items()}
-        self.drawing.show(move_vertices(before, moved))
-        self._target = self._merging(pointer)
+        chosen = self.drawing.selection.circles
+        circles = {c: rounds.shifted(before.circles[c], (du, dv)) for c in chosen}
+        self.drawing.show(rounds.move(before, moved, circles))
+        self._target = None if pointer.is_free else self._merging(pointer)
+
+    def _pull(self, pointer: Pointer, grip: AxisEnd) -> None:
+        """Pull an axis end: to a vertex, along its axis, or else anywhere."""
+        before, (circle, axis, end) = self.drawing.committed, grip
+        drawn, to_px = before.circles[circle], pointer.point_px
+        self._target = None
+        if not pointer.is_free:
+            near = vertex_at(before, to_px, pointer.reach_px)
+            along = on_line(to_px, *getattr(drawn, axis))
+            if near is not None:
+                to_px = before.vertices[near]
+                self._target = Snap(SnapKind.VERTEX, to_px, near)
+            elif not pointer.is_far_from(along, STRAIGHT):
+                to_px = along
+        pulled = rounds.pulled(drawn, axis, end, to_px)
+        self.drawing.show(rounds.move(before, {}, {circle: pulled}))
 
     def _merging(self, pointer: Pointer) -> Snap | None:
         """The vertex that a single dragged one would become one with."""
-        if len(self._moved) != 1 or not self._under.vertices:
+        if len(self._moved) != 1 or not self._under.vertices or self.drawing.selection.circles:
             return None
         (vertex,) = self._moved
         graph = self.drawing.graph
@@ -140,12 +188,15 @@ class SelectTool(Tool):
 
     def _drop(self) -> None:
         graph, count = self.drawing.graph, len(self._moved)
-        if self._target is not None:
+        if self._grip is not None:
+            self.drawing.commit(graph, "Change circle")
+        elif self._target is not None:
             (vertex,) = self._moved
             merged = merge_vertices(graph, self._target.target, vertex)
             self.drawing.commit(merged, "Merge vertices")
         else:
-            self.drawing.commit(graph, "Move vertex" if count == 1 else "Move")
+            alone = count == 1 and not self.drawing.selection.circles
+            self.drawing.commit(graph, "Move vertex" if alone else "Move")
 
     def _take_box(self, pointer: Pointer) -> None:
         inside = Selection()

@@ -153,3 +153,13 @@ def test_derivatives_of_proportional_diameters_equal_central_differences():
         ahead, _ = diameters.evaluate(g + d, structure.coordinate)
         behind, _ = diameters.evaluate(g - d, structure.coordinate)
         np.testing.assert_allclose(H[:, i], (ahead - behind) / 2e-6, atol=1e-8)
+
+
+def test_circles_alone_are_lifted_while_the_side_is_still_to_come():
+    graph, _ = photograph_turned(LID, np.random.default_rng(3))
+    circles = replace(graph, vertices={}, edges={}, revolutions={}, annotations={})
+    for count in (1, 2, 3):
+        fewer = replace(circles, circles=dict(list(graph.circles.items())[:count]))
+        solution = solve(fewer)
+        assert set(solution.circles) == set(fewer.circles)
+        assert solution.camera.rotation_cam_from_world[2, 2] < 0

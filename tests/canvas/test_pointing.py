@@ -1,16 +1,19 @@
 """Hit testing, snapping, quadrilaterals, typed lengths: pure functions."""
 
+import math
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from incontext.solver import load_sketch
+from incontext.solver import load_sketch, solve
 from incontext.solver.graph import SketchGraph
 from incontext.workbench.canvas.hit_testing import corner_at, edge_at, inside_box
 from incontext.workbench.canvas.lengths import exact_text, parse_length
-from incontext.workbench.canvas.plane import foot, is_inside
+from incontext.workbench.canvas.plane import foot, is_inside, line_crossing
 from incontext.workbench.canvas.preview import Selection
-from incontext.workbench.canvas.snapping import Snap, SnapKind, place, snap
+from incontext.workbench.canvas.snapping import Lead, Snap, SnapKind, always, place, snap
+from incontext.workbench.canvas.solved import Solved
 from incontext.workbench.canvas.suggestions import corners_of, quad_around, quads
 
 SHELF = Path(__file__).parent.parent / "data" / "shelf.sketch.json"
@@ -131,3 +134,55 @@ def test_a_length_that_is_opened_and_left_stays_as_it_was(length_mm):
 def test_what_is_no_length_is_refused_with_an_example(text):
     with pytest.raises(ValueError, match="21 cm"):
         parse_length(text)
+
+
+def test_crossing_edges_are_joined_only_where_they_meet(cross):
+    crossed = replace(
+        cross,
+        vertices={**cross.vertices, "a": (38, -30), "b": (42, 40)},
+        edges={**cross.edges, "ab": ("a", "b")},
+    )
+    assert snap(crossed, (38, 1), 6).kind is SnapKind.EDGE
+    at = snap(crossed, (38, 1), 6, meet=always)
+    assert (at.kind, {at.target, at.other}) == (SnapKind.CROSSING, {"er", "ab"})
+    graph, vertex = place(crossed, at)
+    assert sum(vertex in ends for ends in graph.edges.values()) == 4
+    assert len(graph.vertices) == len(crossed.vertices) + 1
+
+
+def test_edges_that_meet_in_space_are_known_once_solved():
+    shelf = load_sketch(SHELF)
+    solved = Solved(shelf, solve(shelf))
+    assert solved.meet(shelf.edge_between("v0", "v1"), shelf.edge_between("v1", "v2"))
+    assert not solved.meet(shelf.edge_between("v0", "v1"), shelf.edge_between("v6", "v10"))
+    assert not solved.meet("e1", "nowhere")
+
+
+def test_lines_are_led_by_edges_and_by_the_perspective(cross):
+    start = (100, 100)
+    along = snap(cross, (103, 160), 8, lead=Lead(start))
+    assert (along.kind, along.point_px) == (SnapKind.PARALLEL, (100, 160))
+    assert snap(cross, (103, 110), 8, lead=Lead(start)).kind is SnapKind.FREE
+    far = snap(cross, (203, 200), 8, lead=Lead(start, ((600, 600),)))
+    assert far.kind is SnapKind.VANISHING
+    assert far.point_px == pytest.approx((201.5, 201.5))
+
+
+def test_an_edge_is_met_where_the_guide_crosses_it(cross):
+    at = snap(cross, (38, 4), 6, lead=Lead((40, 100)))
+    assert (at.kind, at.point_px) == (SnapKind.EDGE, (40, 0))
+    assert at.guide == ((40, 100), (40, 0))
+
+
+def test_the_three_directions_of_a_box_vanish_where_its_edges_meet():
+    shelf = load_sketch(SHELF)
+    solved = Solved(shelf, solve(shelf))
+    found = [
+        line_crossing(*ends(shelf, a), *ends(shelf, b)) for a, b in (("e0", "e2"), ("e1", "e3"))
+    ]
+    for place_px in found:
+        assert min(math.dist(place_px, v) / math.hypot(*v) for v in solved.vanishing_px) < 0.05
+
+
+def ends(graph, edge):
+    return tuple(graph.vertices[v] for v in graph.edges[edge])

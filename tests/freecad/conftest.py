@@ -60,3 +60,34 @@ def hands():
     yield Hands()
     manager.terminate()
     manager.wait()
+
+
+@pytest.fixture
+def window(hands):
+    """FreeCAD's window over the whole screen, with our workbench."""
+    import FreeCADGui
+
+    from incontext.tests.freecad.hands import pump
+
+    window = FreeCADGui.getMainWindow()
+    if not window.isMaximized():
+        window.showMaximized()
+        pump(1)
+    FreeCADGui.activateWorkbench("InContextWorkbench")
+    return window
+
+
+@pytest.fixture
+def person(window, hands, document, shelf_path, monkeypatch):
+    """A person before the tab of a new sketch over a photo of 800 x 600 px."""
+    import FreeCADGui
+
+    from incontext.tests.freecad.hands import Person, pump
+    from incontext.workbench.panels import asking
+    from incontext.workbench.panels.tabs import open_tabs
+
+    photo = shelf_path.parent / "shelf.jpg"
+    monkeypatch.setattr(asking, "ask_for_file", lambda title, kinds: photo)
+    FreeCADGui.runCommand("InContext_NewSketch")
+    pump(0.5)
+    return Person(open_tabs()[0].tab.view, hands)

@@ -5,6 +5,8 @@ from __future__ import annotations
 import subprocess
 import time
 
+import FreeCADGui
+import numpy as np
 from PySide import QtCore, QtGui
 
 
@@ -51,3 +53,68 @@ class Hands:
     def _do(self, *arguments: str) -> None:
         subprocess.run(["xdotool", *arguments], check=True)
         pump(0.15)
+
+
+class Person:
+    """Draws in a tab; counts the gestures: clicks, drags, keys."""
+
+    def __init__(self, view, hands):
+        self.view, self.hands = view, hands
+        #: Names of photo positions.
+        self.places = {}
+        self.gestures = 0
+        main = FreeCADGui.getMainWindow()
+        (self._report,) = main.findChildren(QtGui.QTextEdit, "Report view")
+        self._report.clear()
+
+    def at(self, *names):
+        """The middle of some places, on the screen."""
+        return self.at_px(*np.mean([self.places[name] for name in names], axis=0))
+
+    def at_px(self, u, v):
+        """A photo position on the screen."""
+        return self.view.viewport().mapToGlobal(self.view.mapFromScene(QtCore.QPointF(u, v)))
+
+    def click(self, *names):
+        """Click in the middle of some places."""
+        self.gestures += 1
+        self.hands.click(self.at(*names))
+
+    def click_at(self, u, v):
+        """Click at a photo position."""
+        self.gestures += 1
+        self.hands.click(self.at_px(u, v))
+
+    def drag(self, start, end):
+        """Drag from one position on the screen to another."""
+        self.gestures += 1
+        self.hands.drag(start, end)
+
+    def press(self, keys):
+        """Press a key."""
+        self.gestures += 1
+        self.hands.press(keys)
+
+    def type(self, text):
+        """Type a text; each letter counts."""
+        self.gestures += len(text)
+        self.hands.type(text)
+
+    def push(self, command):
+        """Push a command's button in FreeCAD's toolbar."""
+        self.gestures += 1
+        buttons = FreeCADGui.getMainWindow().findChildren(QtGui.QToolButton)
+        (button,) = [b for b in buttons if b.isVisible() and _names(b) == command]
+        self.hands.click(button.mapToGlobal(button.rect().center()))
+        pump(0.3)
+
+    def complaints(self):
+        """What FreeCAD's report view says of warnings and errors since the person began."""
+        words = ("warning", "error", "traceback")
+        lines = self._report.toPlainText().splitlines()
+        return [line for line in lines if any(word in line.lower() for word in words)]
+
+
+def _names(button) -> str:
+    action = button.defaultAction()
+    return "" if action is None else action.objectName()

@@ -9,7 +9,6 @@ from PySide import QtCore
 
 from incontext.solver.annotating import set_length
 from incontext.solver.camera import Camera
-from incontext.tests.freecad.hands import pump
 from incontext.workbench.canvas.overlay import Findings
 from incontext.workbench.features import pipeline
 
@@ -32,54 +31,10 @@ def places():
     return {name: tuple(camera.project(corner)[0]) for name, corner in corners.items()}
 
 
-class Person:
-    """Draws in a tab; counts the gestures."""
-
-    def __init__(self, view, hands, places):
-        self.view, self.hands, self.places, self.gestures = view, hands, places, 0
-
-    def at(self, *names):
-        """The middle of some corners, on the screen."""
-        u, v = np.mean([self.places[name] for name in names], axis=0)
-        return self.view.viewport().mapToGlobal(self.view.mapFromScene(QtCore.QPointF(u, v)))
-
-    def click(self, *names):
-        self.gestures += 1
-        self.hands.click(self.at(*names))
-
-    def drag(self, start, end):
-        self.gestures += 1
-        self.hands.drag(start, end)
-
-    def press(self, keys):
-        self.gestures += 1
-        self.hands.press(keys)
-
-    def type(self, text):
-        self.gestures += len(text)
-        self.hands.type(text)
-
-
 @pytest.fixture
-def window(hands):
-    window = FreeCADGui.getMainWindow()
-    if not window.isMaximized():
-        window.showMaximized()
-        pump(1)
-    FreeCADGui.activateWorkbench("InContextWorkbench")
-    return window
-
-
-@pytest.fixture
-def person(window, hands, document, shelf_path, places, monkeypatch):
-    from incontext.workbench.panels import asking
-    from incontext.workbench.panels.tabs import open_tabs
-
-    photo = shelf_path.parent / "shelf.jpg"
-    monkeypatch.setattr(asking, "ask_for_file", lambda title, kinds: photo)
-    FreeCADGui.runCommand("InContext_NewSketch")
-    pump(0.5)
-    return Person(open_tabs()[0].tab.view, hands, places)
+def person(person, places):
+    person.places = places
+    return person
 
 
 def on_screen(view, *vertices):
@@ -132,6 +87,7 @@ def test_box_from_an_empty_sketch_to_plates(person, document):
     assert document.getObject("PlateSet").Status == "made"
     assert document.getObject("PlateSet").PlateCount == 6
     assert person.gestures <= 40
+    assert person.complaints() == []
 
 
 def test_every_gesture_is_one_step_to_undo(person, document):

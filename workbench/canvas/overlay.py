@@ -62,7 +62,7 @@ def paint(painter: QtGui.QPainter, scene: Scene) -> None:
     _paint_conflicts(painter, scene)
     # Below the edges, whose ends they would cover else.
     _paint_right_angles(painter, scene)
-    stroke(painter, scene.rings, style.EDGE, style.RING_PX, dashed=True)
+    fine(painter, scene.rings, style.EDGE)
     _paint_edges(painter, scene)
     _paint_marks(painter, scene)
     _paint_vertices(painter, scene)
@@ -148,12 +148,13 @@ def stroke(
     width_px: float,
     *,
     dashed: bool = False,
+    casing_px: float = style.CASING_PX,
 ) -> None:
     """Lines with a white casing: all casings first, so that none cuts through a line."""
     lines = [polygon(stroke) for stroke in strokes]
     casing = QtGui.QColor(style.CASING)
     casing.setAlpha(style.CASING_ALPHA)
-    outer = QtGui.QPen(casing, width_px + 2 * style.CASING_PX)
+    outer = QtGui.QPen(casing, width_px + 2 * casing_px)
     inner = QtGui.QPen(QtGui.QColor(colour), width_px)
     if dashed:
         inner.setDashPattern([4, 3])
@@ -164,6 +165,11 @@ def stroke(
         painter.setPen(pen)
         for line in lines:
             painter.drawPolyline(line)
+
+
+def fine(painter: QtGui.QPainter, strokes: Iterable[Stroke], colour: str) -> None:
+    """Fine dashed lines that explain, no part of the drawing; white shows between the dashes."""
+    stroke(painter, strokes, colour, style.FINE_PX, dashed=True, casing_px=0.0)
 
 
 def polygon(points: Iterable[Point]) -> QtGui.QPolygonF:

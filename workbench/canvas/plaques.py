@@ -31,8 +31,9 @@ def paint_plaques(painter: QtGui.QPainter, scene: Scene) -> None:
         _plaque(painter, text, place)
     for circle, text in marks.diameters.items():
         line = scene.circles[circle]
-        top = min(line, key=lambda p: p[1])
-        _plaque(painter, text, (top[0], top[1] - style.PLAQUE_DISTANCE_PX - 8))
+        lowest = max(line, key=lambda p: p[1])
+        below = style.PLAQUE_DISTANCE_PX + _room(painter, text)[1] / 2
+        _plaque(painter, text, (lowest[0], lowest[1] + below))
     for face, text in marks.thicknesses.items():
         loop = (scene.graph.faces or {})[face].loop
         _plaque(painter, text, middle([scene.screen[v] for v in loop]))

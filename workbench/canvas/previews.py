@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from . import style, symbols
-from .overlay import Scene, polygon, stroke
+from .overlay import Scene, fine, polygon, stroke
 from .plane import middle
 from .qt import QtCore, QtGui
 from .snapping import Snap, SnapKind
@@ -67,7 +67,8 @@ def paint_above(painter: QtGui.QPainter, scene: Scene, work: Work) -> None:
     """Paint all the rest."""
     _vertices(painter, scene, work.selection.vertices, style.SELECTED)
     _vertices(painter, scene, work.preview.lit.vertices, style.HOVER)
-    _fine(painter, [[work.on_screen(p) for p in line] for line in work.preview.guides])
+    guides = [tuple(map(work.on_screen, line)) for line in work.preview.guides]
+    fine(painter, guides, style.GUIDE)
     bands = [[work.on_screen(p) for p in line] for line in work.preview.strokes]
     stroke(painter, bands, style.EDGE, style.EDGE_PX, dashed=True)
     _corners(painter, scene, work.preview)
@@ -102,10 +103,6 @@ def _box(painter: QtGui.QPainter, corners: list[Point]) -> None:
     painter.drawRect(QtCore.QRectF(*(QtCore.QPointF(*corner) for corner in corners)).normalized())
 
 
-def _fine(painter: QtGui.QPainter, lines: list[list[Point]]) -> None:
-    stroke(painter, lines, style.GUIDE, style.GUIDE_PX, dashed=True)
-
-
 def _grips(painter: QtGui.QPainter, places: list[Point]) -> None:
     """Small squares, by which circles are pulled."""
     painter.setPen(QtGui.QPen(QtGui.QColor(style.EDGE), 1.5))
@@ -129,7 +126,7 @@ def _snap(painter: QtGui.QPainter, snap: Snap, work: Work) -> None:
         SnapKind.CROSSING: [ring, *cross],
     }
     if snap.guide is not None:
-        _fine(painter, [[work.on_screen(p) for p in snap.guide]])
+        fine(painter, [tuple(map(work.on_screen, snap.guide))], style.GUIDE)
     stroke(painter, marks.get(snap.kind, []), style.SNAP, style.EDGE_PX)
     if snap.kind is not SnapKind.FREE:
         _word(painter, work.in_words(snap.kind.value), (x + 1.6 * r, y + 2.4 * r))

@@ -45,9 +45,8 @@ CONFLICT_PX = 12.0
 SNAP_PX = 7.0
 DOT_PX = 3.0
 GRIP_PX = 7.0
-GUIDE_PX = 1.0
-RING_PX = 1.0
-"""Of the circles that a side's points stand for."""
+FINE_PX = 1.3
+"""Of lines that explain: guides, axes, the circles that a side's points stand for."""
 
 #: A vertex is grabbed within this distance of the pointer.
 REACH_PX = 9.0

@@ -22,9 +22,7 @@ class LineTool(TwoPointTool):
         """See `Tool`."""
         if self._start is None:
             return "Click the start of the line, or drag"
-        return (
-            "Click the end; right click stops; Ctrl: free of snapping, Shift: join crossing edges"
-        )
+        return "Click the end of the line; right click stops; Ctrl: no snapping, Shift: crossings"
 
     def preview(self) -> Preview:
         """See `Tool`."""

@@ -139,7 +139,7 @@ def test_what_is_no_length_is_refused_with_an_example(text):
 def test_crossing_edges_are_joined_only_where_they_meet(cross):
     crossed = replace(
         cross,
-        vertices={**cross.vertices, "a": (38, -30), "b": (42, 40)},
+        vertices={**cross.vertices, "a": (38, -30), "b": (42, 60)},
         edges={**cross.edges, "ab": ("a", "b")},
     )
     assert snap(crossed, (38, 1), 6).kind is SnapKind.EDGE

@@ -1,7 +1,7 @@
 """What is painted, looked at px by px."""
 
 from dataclasses import replace
-from itertools import pairwise
+from itertools import combinations, pairwise
 
 import pytest
 from PySide import QtGui
@@ -87,17 +87,24 @@ def test_loose_vertices_are_orange_and_conflicts_red(graph):
     assert red.red() > red.green() + 60
 
 
-@pytest.mark.parametrize("kind", ["vertex", "midpoint", "edge"])
-def test_each_snap_has_a_shape_of_its_own(graph, kind):
-    image = painted(graph, preview=Preview(snap=Snap(SnapKind(kind), (100.0, 100.0))))
-    found = {
+MARKED = [SnapKind.VERTEX, SnapKind.AXIS_END, SnapKind.MIDPOINT, SnapKind.EDGE, SnapKind.CROSSING]
+
+
+def test_each_snap_has_a_shape_of_its_own(graph):
+    shapes = [marked(graph, kind) for kind in MARKED]
+    assert all(len(shape) > 10 for shape in shapes)
+    assert all(one != other for one, other in combinations(shapes, 2))
+
+
+def marked(graph, kind):
+    """The px about a place that are painted for a snap to it."""
+    image = painted(graph, preview=Preview(snap=Snap(kind, (100.0, 100.0))))
+    return {
         (x, y)
         for x in range(85, 116)
         for y in range(85, 116)
         if image.pixelColor(x, y) == QtGui.QColor(style.SNAP)
     }
-    assert len(found) > 10
-    assert ((100, 100) in found) == (kind == "edge")
 
 
 def test_preview_shows_bands_boxes_and_corners_and_nothing_of_what_is_gone(graph):

@@ -52,10 +52,11 @@ def freedoms(full: FullProblem, x: Pose, names: list[str]) -> Freedoms:
     names : list of ids
         Of the vertices, then of the circles.
     """
-    at = full.evaluate(x)
+    _, J = full.jacobian(x)
+    _, H = full.constraints(x)
     # Constraints weigh as much as the drawing: only whether they act matters here. The gauge is
     # left free, so that the overall size is one of the directions found.
-    stacked = np.vstack([at.J, at.H, full.idle_directions(x)])
+    stacked = np.vstack([J, H, full.idle_directions(x)])
     scale = np.maximum(np.linalg.norm(stacked, axis=0), 1e-12)
     null = _null_space(stacked / scale) / scale
     count = max(0, len(null) - 1)
@@ -93,12 +94,13 @@ def _loose(full: FullProblem, x: Pose, null: Array, names: list[str]) -> tuple[s
 def focal_sigma(full: FullProblem, x: Pose) -> float:
     """Standard error of the log focal length, from the drawing's own misfit."""
     at = full.evaluate(x)
+    r, _ = full.jacobian(x)
     # In the directions that keep the constraints: weighing these against the drawing instead would
     # drown what little a view from afar says of its focal length.
     N = _tangent(at.H)
-    A = N.T @ (at.J.T @ at.J + at.G) @ N
-    spare = max(1, len(at.r) - N.shape[1] + 1)
-    noise = max(float(at.r @ at.r) / spare, 1e-14)
+    A = N.T @ at.A @ N
+    spare = max(1, len(r) - N.shape[1] + 1)
+    noise = max(float(r @ r) / spare, 1e-14)
     values, vectors = np.linalg.eigh(A)
     share = vectors.T @ N[3]
     floor = 1e-13 * float(values.max())

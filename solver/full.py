@@ -6,6 +6,9 @@ it along the axis of view as well, so that its middle keeps its size in the imag
 kappa then is the strength of the perspective alone, on which the projection depends almost
 linearly, down to kappa = 0 for a view from afar.
 
+Each drawn vertex speaks of seven unknowns only: the turn, kappa and its own three coordinates. Its
+part of J^T J is a block of 7 x 7, and the whole is their sum in the right places.
+
 The objective is the distance in the image between the projected and the drawn vertices (the paper's
 projection term |p - p'|^2); leftover constraints are held exactly.
 """
@@ -15,14 +18,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from .energies.circle import Support, circle_support
-from .geometry import cross
+from .geometry import cross, rotation
 from .initial import LOG_FOCAL_RANGE
 from .least_squares import Evaluation
 from .problem import Problem
-from .values import Array
+from .values import Array, IntArray
 
 #: How well a focal length from EXIF is known, and the wide prior where nothing else decides.
 EXIF_LOG_SIGMA = 0.01
@@ -56,6 +58,24 @@ class FocalPrior:
     sigma: float
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class _Seen:
+    """The vertices as the camera of a pose sees them."""
+
+    pose: Pose
+    in_cam: Array
+    projected: Array
+    r: Array
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Rows:
+    """Rows of a Jacobian that are zero but for few columns: values (t, w), columns (t, w)."""
+
+    values: Array
+    columns: IntArray
+
+
 class FullProblem:
     """The Objective of the full step."""
 
@@ -66,27 +86,73 @@ class FullProblem:
         self.m = problem.structure.n_coordinates
         self.n_vertices = len(problem.points)
         self.up = problem.up_in_cam
+        self.constrained = bool(problem.blocks) or len(problem.diameters) > 0
+        self._camera_columns = np.arange(4)
+        self._columns = self._with_camera(self.coordinate[: self.n_vertices])
+        self._places = self._columns[:, :, None] * (4 + self.m) + self._columns[:, None, :]
+        self._last: _Seen | None = None
+
+    def _with_camera(self, columns: IntArray) -> IntArray:
+        """Columns of the unknowns: omega and kappa, then shared coordinates."""
+        camera = np.broadcast_to(self._camera_columns, (len(columns), 4))
+        return np.hstack([camera, 4 + columns])
 
     def evaluate(self, x: Pose) -> Evaluation:
-        """Residuals and Jacobians over (omega, phi, g)."""
-        r, J = self._reprojection(x)
-        h, H = self._constraints(x)
-        size = float(np.linalg.norm(x.g)) or 1.0
-        gauge = np.zeros(4 + self.m)
-        gauge[4:] = x.g / size
-        turns = self.idle_directions(x)
-        return Evaluation(r, J, h, H, np.outer(gauge, gauge) + turns.T @ turns)
+        """The normal equations over (omega, kappa, g), and the constraints."""
+        seen = self._seen(x)
+        M = 4 + self.m
+        B = self._vertex_blocks(seen)
+        turned = np.swapaxes(B, 1, 2)
+        A = _sum_at(self._places, turned @ B, M * M).reshape(M, M)
+        b = _sum_at(self._columns, turned @ seen.r[..., None], M)
+        for rows, r in self._further_rows(x):
+            J = self._dense(rows)
+            A += J.T @ J
+            b += J.T @ r
+        if self.up is not None:
+            along = np.outer(self.up, self.up)
+            A[:3], b[:3] = along @ A[:3], along @ b[:3]
+            A[:, :3] = A[:, :3] @ along
+        if self.problem.camera is not None or self._focal_at_limit(x, float(b[3])):
+            A[3], A[:, 3], b[3] = 0.0, 0.0, 0.0
+        gauge = x.g / (float(np.linalg.norm(x.g)) or 1.0)
+        A[4:, 4:] += np.outer(gauge, gauge)
+        idle = self.idle_directions(x)
+        if len(idle):
+            A += idle.T @ idle
+        h, H = self.constraints(x)
+        return Evaluation(A, b, h, H)
+
+    def jacobian(self, x: Pose) -> tuple[Array, Array]:
+        """Residuals and their derivatives over (omega, kappa, g), where nothing is held."""
+        seen = self._seen(x)
+        columns = np.repeat(self._columns, 2, axis=0)
+        vertices = _Rows(self._vertex_blocks(seen).reshape(-1, 7), columns)
+        parts = [(vertices, seen.r.reshape(-1)), *self._further_rows(x)]
+        J = np.vstack([self._dense(rows) for rows, _ in parts])
+        return np.concatenate([r for _, r in parts]), J
+
+    def _dense(self, rows: _Rows) -> Array:
+        J = np.zeros((len(rows.values), 4 + self.m))
+        J[np.arange(len(J))[:, None], rows.columns] = rows.values
+        return J
 
     def merit(self, x: Pose, rho: float) -> float:
         """|r|^2 + rho |h|^2."""
-        r = self._residual(x)
-        total = float(r @ r)
+        seen = self._seen(x).r.reshape(-1)
+        total = float(seen @ seen)
+        if self.prior is not None:
+            total += self._prior_residual(x, self.prior) ** 2
+        if len(self.problem.circles):
+            r = self._circle_residual(self._supports(x))
+            total += float(r @ r)
         if rho > 0:
             for block in self.problem.blocks:
                 h = block.evaluate(x.g[self.coordinate]).residual
                 total += rho * float(h @ h)
-            h, _ = self.problem.diameters.evaluate(x.g, self.coordinate)
-            total += rho * float(h @ h)
+            if len(self.problem.diameters):
+                h, _ = self.problem.diameters.evaluate(x.g, self.coordinate)
+                total += rho * float(h @ h)
         return total
 
     def retract(self, x: Pose, step: Array) -> Pose | None:
@@ -95,8 +161,8 @@ class FullProblem:
             return None
         turn = step[:3] if self.up is None else (step[:3] @ self.up) * self.up
         old, (low, high) = np.exp(-x.log_focal), np.exp(np.negative(LOG_FOCAL_RANGE[::-1]))
-        kappa = float(np.clip(old + np.clip(step[3], -0.4 * old, old), low, high))
-        R = Rotation.from_rotvec(turn).as_matrix() @ x.R
+        kappa = min(max(old + min(max(float(step[3]), -0.4 * old), old), low), high)
+        R = rotation(turn) @ x.R
         middle = self._middle(x)
         moved_middle = middle * np.array([1.0, 1.0, old / kappa])
         g = x.g + step[4:] + self._shift(R.T @ moved_middle - x.R.T @ middle)
@@ -129,23 +195,24 @@ class FullProblem:
             turns = np.eye(3) if vertical is None else x.R[:, vertical][None]
         if self.up is not None:
             turns = np.vstack([turns, np.eye(3) - np.outer(self.up, self.up)])
-        rows = np.zeros((len(turns) + 1, 4 + self.m))
-        rows[:-1, :3] = turns
-        rows[-1, 3] = float(self.problem.camera is not None)
+        known = self.problem.camera is not None
+        rows = np.zeros((len(turns) + known, 4 + self.m))
+        rows[: len(turns), :3] = turns
+        rows[len(turns) :, 3] = 1.0
         return rows
 
     def positions(self, x: Pose) -> Array:
         """Vertices, then circles' centres, in object axes, (n + k, 3)."""
         return np.asarray(x.g[self.coordinate])
 
-    def _residual(self, x: Pose) -> Array:
-        in_cam = self.positions(x)[: self.n_vertices] @ x.R.T
-        projected = np.exp(x.log_focal) * in_cam[:, :2] / in_cam[:, 2:]
-        r = (projected - self.problem.points) * self.problem.weights[:, None]
-        parts = [r.reshape(-1), self._prior_residual(x)]
-        if len(self.problem.circles):
-            parts.append(self._circle_residual(self._supports(x)))
-        return np.concatenate(parts)
+    def _seen(self, x: Pose) -> _Seen:
+        """The view of a pose; the last one is kept, for it is asked for twice."""
+        if self._last is None or self._last.pose is not x:
+            in_cam = self.positions(x)[: self.n_vertices] @ x.R.T
+            projected = np.exp(x.log_focal) * in_cam[:, :2] / in_cam[:, 2:]
+            r = (projected - self.problem.points) * self.problem.weights[:, None]
+            self._last = _Seen(x, in_cam, projected, r)
+        return self._last
 
     def _supports(self, x: Pose) -> Support:
         centres = self.positions(x)[self.n_vertices :] @ x.R.T
@@ -159,68 +226,57 @@ class FullProblem:
         circles = self.problem.circles
         return np.asarray(((support.h - circles.supports) * circles.weights[:, None]).reshape(-1))
 
-    def _prior_residual(self, x: Pose) -> Array:
-        if self.prior is None:
-            return np.zeros(0)
-        return np.array([DRAWING_SIGMA * (x.log_focal - self.prior.log_focal) / self.prior.sigma])
+    def _prior_residual(self, x: Pose, prior: FocalPrior) -> float:
+        return DRAWING_SIGMA * (x.log_focal - prior.log_focal) / prior.sigma
 
-    def _reprojection(self, x: Pose) -> tuple[Array, Array]:
-        in_cam = self.positions(x)[: self.n_vertices] @ x.R.T
-        n, f = len(in_cam), float(np.exp(x.log_focal))
-        inverse_depth = 1 / in_cam[:, 2]
-        projected = f * in_cam[:, :2] * inverse_depth[:, None]
+    def _vertex_blocks(self, seen: _Seen) -> Array:
+        """Derivatives of r by (omega, kappa, x, y, z) of each vertex, (n, 2, 7)."""
+        x, in_cam, projected = seen.pose, seen.in_cam, seen.projected
+        f = float(np.exp(x.log_focal))
+        weights = self.problem.weights[:, None]
         # d(u, v) / d x_cam
-        D = np.zeros((n, 2, 3))
+        D = np.zeros((len(in_cam), 2, 3))
+        inverse_depth = 1 / in_cam[:, 2]
         D[:, 0, 0] = D[:, 1, 1] = f * inverse_depth
         D[:, :, 2] = -projected * inverse_depth[:, None]
-        D *= self.problem.weights[:, None, None]
-        J = np.zeros((2 * n, 4 + self.m))
+        D *= weights[..., None]
+        B = np.empty((len(in_cam), 2, 7))
         # d x_cam / d omega = -[x_cam - middle]x, so that a row d becomes (x_cam - middle) x d.
         middle = self._middle(x)
-        J[:, :3] = cross((in_cam - middle)[:, None, :], D).reshape(-1, 3)
+        B[:, :, :3] = cross((in_cam - middle)[:, None, :], D)
         # d f / d kappa = -f^2, and the middle depth goes with f.
-        in_place = -f * projected * self.problem.weights[:, None]
-        J[:, 3] = (in_place - f * middle[2] * D[:, :, 2]).reshape(-1)
-        by_axis = (D @ x.R).reshape(-1, 3)
-        rows = np.arange(2 * n)
-        for k in range(3):
-            J[rows, 4 + np.repeat(self.coordinate[:n, k], 2)] = by_axis[:, k]
-        if self.prior is not None:
-            prior_row = np.zeros((1, 4 + self.m))
-            prior_row[0, 3] = -f * DRAWING_SIGMA / self.prior.sigma
-            J = np.vstack([J, prior_row])
-        if len(self.problem.circles):
-            J = np.vstack([J, self._circle_jacobian(x)])
-        r = self._residual(x)
-        if self.up is not None:
-            J[:, :3] = np.outer(J[:, :3] @ self.up, self.up)
-        if self.problem.camera is not None:
-            J[:, 3] = 0.0
-        if self._focal_at_limit(x, float(J[:, 3] @ r)):
-            J[:, 3] = 0.0
-        return r, J
+        B[:, :, 3] = -f * (projected * weights + middle[2] * D[:, :, 2])
+        B[:, :, 4:] = D @ x.R
+        return B
 
-    def _circle_jacobian(self, x: Pose) -> Array:
-        structure, support = self.problem.structure, self._supports(x)
-        weights = np.repeat(self.problem.circles.weights, support.h.shape[1])
+    def _further_rows(self, x: Pose) -> list[tuple[_Rows, Array]]:
+        """What is not of vertices: the focal length's prior, and circles."""
+        found = []
+        if self.prior is not None:
+            slope = -float(np.exp(x.log_focal)) * DRAWING_SIGMA / self.prior.sigma
+            row = _Rows(np.array([[slope]]), np.array([[3]]))
+            found.append((row, np.array([self._prior_residual(x, self.prior)])))
+        if len(self.problem.circles):
+            support = self._supports(x)
+            found.append((self._circle_rows(x, support), self._circle_residual(support)))
+        return found
+
+    def _circle_rows(self, x: Pose, support: Support) -> _Rows:
+        structure = self.problem.structure
         centres = self.positions(x)[self.n_vertices :] @ x.R.T
         normal = x.R[:, 2 if structure.vertical is None else structure.vertical]
         by_centre, by_normal = support.by_centre, support.by_normal
-        J = np.zeros((support.h.size, 4 + self.m))
+        B = np.empty((*support.h.shape, 8))
         middle = self._middle(x)
-        turn = cross((centres - middle)[:, None, :], by_centre) + cross(normal, by_normal)
-        J[:, :3] = turn.reshape(-1, 3)
-        f = np.exp(x.log_focal)
+        B[..., :3] = cross((centres - middle)[:, None, :], by_centre) + cross(normal, by_normal)
         dolly = middle[2] * by_centre[:, :, 2]
-        J[:, 3] = (-f * (support.by_log_focal + dolly)).reshape(-1)
-        rows = np.arange(len(J))
-        by_axis = (by_centre @ x.R).reshape(-1, 3)
-        each = support.h.shape[1]
-        for k in range(3):
-            columns = 4 + np.repeat(self.coordinate[self.n_vertices :, k], each)
-            J[rows, columns] = by_axis[:, k]
-        J[rows, 4 + np.repeat(structure.radius, each)] = support.by_radius.reshape(-1)
-        return J * weights[:, None]
+        B[..., 3] = -np.exp(x.log_focal) * (support.by_log_focal + dolly)
+        B[..., 4:7] = by_centre @ x.R
+        B[..., 7] = support.by_radius
+        B *= self.problem.circles.weights[:, None, None]
+        own = np.column_stack([self.coordinate[self.n_vertices :], structure.radius])
+        columns = np.repeat(self._with_camera(own), support.h.shape[1], axis=0)
+        return _Rows(B.reshape(-1, 8), columns)
 
     def _focal_at_limit(self, x: Pose, slope: float) -> bool:
         """Whether the drawing pulls the focal length beyond what cameras have."""
@@ -241,7 +297,8 @@ class FullProblem:
             change[self.coordinate[:, k]] = vector[k]
         return change
 
-    def _constraints(self, x: Pose) -> tuple[Array, Array]:
+    def constraints(self, x: Pose) -> tuple[Array, Array]:
+        """Leftover constraints h and their derivatives H over (omega, kappa, g)."""
         positions = self.positions(x)
         residuals, jacobians = [np.zeros(0)], [np.zeros((0, 4 + self.m))]
         for block in self.problem.blocks:
@@ -260,18 +317,23 @@ class FullProblem:
 
     def restore(self, x: Pose) -> Pose:
         """Move the coordinates onto h = 0: dg = -H^T (H H^T)^+ h."""
-        if not self.problem.blocks and not len(self.problem.diameters):
+        if not self.constrained:
             return x
-        h, H = self._constraints(x)
+        h, H = self.constraints(x)
         worst = float(np.abs(h).max(initial=0.0))
         for _ in range(8):
             if worst < 1e-15:
                 break
             dg = -np.linalg.lstsq(H[:, 4:], h, rcond=1e-9)[0]
             moved = Pose(x.R, x.log_focal, x.g + dg)
-            h, H = self._constraints(moved)
+            h, H = self.constraints(moved)
             after = float(np.abs(h).max(initial=0.0))
             if not after < worst:
                 break
             x, worst = moved, after
         return x
+
+
+def _sum_at(places: IntArray, values: Array, size: int) -> Array:
+    """Values summed at their places, (size,)."""
+    return np.asarray(np.bincount(places.ravel(), values.ravel(), size), dtype=np.float64)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from .values import Array
@@ -16,3 +18,20 @@ def cross(u: Array, v: Array) -> Array:
     u0, u1, u2 = u[..., 0], u[..., 1], u[..., 2]
     v0, v1, v2 = v[..., 0], v[..., 1], v[..., 2]
     return np.stack([u1 * v2 - u2 * v1, u2 * v0 - u0 * v2, u0 * v1 - u1 * v0], axis=-1)
+
+
+def rotation(turn: Array) -> Array:
+    """The rotation matrix of a rotation vector (3,), rad, by Rodrigues' formula."""
+    x, y, z = turn.tolist()
+    angle = math.sqrt(x * x + y * y + z * z)
+    # sin(a) / a and (1 - cos(a)) / a^2 without cancellation.
+    half = math.sin(angle / 2) / angle if angle > 1e-8 else 0.5
+    a = math.sin(angle) / angle if angle > 1e-8 else 1.0
+    b = 2 * half * half
+    return np.array(
+        [
+            [1 - b * (y * y + z * z), b * x * y - a * z, b * x * z + a * y],
+            [b * x * y + a * z, 1 - b * (x * x + z * z), b * y * z - a * x],
+            [b * x * z - a * y, b * y * z + a * x, 1 - b * (x * x + y * y)],
+        ]
+    )

@@ -80,8 +80,7 @@ def _starts(problem: Problem) -> list[Start]:
         tilted = tilted_views(problem.circles) if len(problem.circles) else [np.eye(3)]
         focals = FOCAL_GUESSES if fixed is None else (fixed,)
         return [Start(R, f, 0.0) for R in tilted for f in focals]
-    lines, weights = _lines(problem, along)
-    axes = axis[along]
+    lines, weights, axes = _gathered(*_lines(problem, along), axis[along], fixed)
     if fixed is None and len(set(axes.tolist())) < 3:
         # Two directions tell little of the focal length: the full step finds it, from several.
         views = [_views_at(lines, weights, axes, float(f))[:2] for f in FOCAL_GUESSES]
@@ -139,6 +138,30 @@ def _lines(problem: Problem, chosen: NDArray[np.bool_]) -> tuple[Array, Array]:
     ones = np.ones((len(p), 1))
     lines = cross(np.hstack([p, ones]), np.hstack([q, ones]))
     return lines, np.linalg.norm(q - p, axis=1) * problem.weights[ends].min(axis=1)
+
+
+def _gathered(
+    lines: Array, weights: Array, axes: IntArray, fixed: float | None
+) -> tuple[Array, Array, IntArray]:
+    """Three lines for all those along one axis, with the same sum of squares for every direction.
+
+    Each line counts by its angle, as a camera of the usual focal length sees it.
+    """
+    f = np.exp(USUAL_LOG_FOCAL if fixed is None else fixed)
+    K = np.array([f, f, 1.0])
+    normals = lines * K
+    size = np.sqrt(np.einsum("mi,mi->m", normals, normals))
+    normals = normals * (weights / np.maximum(size, 1e-300))[:, None]
+    found: list[tuple[Array, Array, int]] = []
+    for k in sorted(set(axes.tolist())):
+        own = normals[axes == k]
+        squares, directions = np.linalg.eigh(own.T @ own)
+        found.append((directions.T / K, np.sqrt(np.maximum(squares, 0.0)), k))
+    return (
+        np.vstack([own for own, _, _ in found]),
+        np.concatenate([w for _, w, _ in found]),
+        np.repeat(np.array([k for _, _, k in found], dtype=np.int64), 3),
+    )
 
 
 def _normals(lines: Array, log_focals: Array) -> tuple[Array, Array]:

@@ -3,8 +3,9 @@
 Minimise |r(x)|^2 subject to h(x) = 0, x on a manifold with a retraction. For a rising penalty
 weight rho, each step solves the augmented system
 
-    [ J^T J + G + mu D   H^T      ] [dx]     [ J^T r ]
-    [ H                 -1/rho  I ] [ y] = - [ h     ]
+    [ A + mu D   H^T     ] [dx]     [ b ]
+    [ H         -1/rho I ] [ y] = - [ h ]      A = J^T J + G,  b = J^T r
+
 
 which is the Gauss-Newton step of |r|^2 + rho |h|^2, but keeps its accuracy at large rho, and does
 not mind redundant rows of H. Raising rho is [Lau10]'s falling weight of the projection term, seen
@@ -31,20 +32,31 @@ LAST_PENALTY = 1e9
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Evaluation:
-    """Objective residuals r, J and constraint residuals h, H at one point; G fixes the gauge."""
+    """The normal equations at one point, their gauge fixed, and the constraints.
 
-    r: Array
-    J: Array
+    Parameters
+    ----------
+    A : (n, n) array
+        J^T J + G.
+    b : (n,) array
+        J^T r.
+    h : (k,) array
+    H : (k, n) array
+    """
+
+    A: Array
+    b: Array
     h: Array
     H: Array
-    G: Array
 
 
 class Objective(Protocol[X]):
     """A problem to minimise."""
 
+    constrained: bool
+
     def evaluate(self, x: X) -> Evaluation:
-        """Residuals and Jacobians."""
+        """The normal equations and the constraints."""
 
     def retract(self, x: X, step: Array) -> X | None:
         """The point a step away, or None where there is none (behind the camera)."""
@@ -97,8 +109,7 @@ def _minimise(
     objective: Objective[X], x: X, max_iterations: int, stop: Callable[[], bool] | None
 ) -> Minimum[X]:
     iterations = 0
-    constrained = objective.evaluate(x).h.size > 0
-    for rho in PENALTIES if constrained else ():
+    for rho in PENALTIES if objective.constrained else ():
         x, used, _ = _descend(objective, x, _Phase(rho, 6, 1e-4, False), stop)
         iterations += used
     budget = max(1, max_iterations - iterations)
@@ -156,21 +167,28 @@ def _descend(
 
 
 def _step(at: Evaluation, rho: float, mu: float) -> Array | None:
-    A = at.J.T @ at.J + at.G
-    diagonal = np.diag(A).copy()
-    A[np.diag_indices(len(A))] += mu * (diagonal + 1e-3 * float(diagonal.max(initial=1.0))) + 1e-15
-    n, k = len(A), len(at.h)
+    A, n = at.A.copy(), len(at.A)
+    diagonal = np.diag(A)
+    A[np.diag_indices(n)] += mu * (diagonal + 1e-3 * float(diagonal.max(initial=1.0))) + 1e-15
+    h, H = _few_rows(at.h, at.H)
+    k = len(h)
     system = np.zeros((n + k, n + k))
     system[:n, :n] = A
-    system[:n, n:] = at.H.T
-    system[n:, :n] = at.H
+    system[:n, n:] = H.T
+    system[n:, :n] = H
     system[n:, n:] = -np.eye(k) / rho
-    right = -np.concatenate([at.J.T @ at.r, at.h])
-    if not bool(np.isfinite(system).all() and np.isfinite(right).all()):
-        return None
+    right = -np.concatenate([at.b, h])
     try:
         solved = np.linalg.solve(system, right)
     except np.linalg.LinAlgError:
         return None
     step: Array = solved[:n]
     return step if bool(np.isfinite(step).all()) else None
+
+
+def _few_rows(h: Array, H: Array) -> tuple[Array, Array]:
+    """No more rows than unknowns that say the same: with H = Q R, R and Q^T h."""
+    if len(h) <= H.shape[1] or not bool(np.isfinite(H).all()):
+        return h, H
+    Q, R = np.linalg.qr(H)
+    return np.asarray(Q.T @ h), np.asarray(R)

@@ -130,7 +130,7 @@ def clashing_annotations(graph: SketchGraph) -> tuple[str, ...]:
     deadline = time.perf_counter() + MAX_SEARCH_S
 
     def clash(kept: Iterable[str]) -> bool:
-        annotations = [graph.annotations[id_] for id_ in kept]
+        annotations = {id_: graph.annotations[id_] for id_ in kept}
         return build_structure(graph, annotations).contradiction
 
     said = list(graph.annotations)

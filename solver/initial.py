@@ -322,19 +322,13 @@ def lift_linear(problem: Problem, R: Array, log_focal: float, pull: float) -> Ar
     rays = _rays(seen, log_focal) @ R
     coordinate = problem.structure.coordinate
     m = problem.structure.n_coordinates
-    A = np.zeros((m, m))
-    P = np.eye(3) - rays[:, :, None] * rays[:, None, :]
-    # |c x r|^2 = c^T (I - r r^T) c
-    for a in range(3):
-        for b in range(3):
-            np.add.at(A, (coordinate[:, a], coordinate[:, b]), P[:, a, b])
-    b_vector = np.zeros(m)
+    # |c x r|^2 = c^T (I - r r^T) c, and |pull (forward . c - 1)|^2
     forward = R[2]
-    for a in range(3):
-        np.add.at(b_vector, coordinate[:, a], np.full(len(coordinate), pull**2 * forward[a]))
-        for b in range(3):
-            term = np.full(len(coordinate), pull**2 * forward[a] * forward[b])
-            np.add.at(A, (coordinate[:, a], coordinate[:, b]), term)
+    P = np.eye(3) - rays[:, :, None] * rays[:, None, :] + pull**2 * np.outer(forward, forward)
+    places = coordinate[:, :, None] * m + coordinate[:, None, :]
+    A = np.bincount(places.ravel(), P.ravel(), m * m).astype(float).reshape(m, m)
+    along = np.broadcast_to(pull**2 * forward, coordinate.shape)
+    b_vector = np.bincount(coordinate.ravel(), along.ravel(), m).astype(float)
     A[np.diag_indices(m)] += 1e-14
     g = np.asarray(np.linalg.solve(A, b_vector), dtype=np.float64)
     depths = (g[coordinate] @ forward)[len(problem.points) :]

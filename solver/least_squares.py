@@ -16,7 +16,7 @@ model up (see CONVENTIONS.md).
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Generic, Protocol, TypeVar
 
 import numpy as np
@@ -28,6 +28,8 @@ X = TypeVar("X")
 #: The rising weights on the way, and the weight with which constraints are held at the end.
 PENALTIES = (1e0, 1e2, 1e4)
 LAST_PENALTY = 1e9
+#: A gain this small against the cost moves the shape by far less than a person can draw.
+ENOUGH = 1e-11
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -83,6 +85,8 @@ def minimise(
     x: X,
     *,
     max_iterations: int = 100,
+    enough: float = ENOUGH,
+    near: bool = False,
     stop: Callable[[], bool] | None = None,
 ) -> Minimum[X]:
     """Minimise from x.
@@ -93,6 +97,10 @@ def minimise(
     x : starting point
     max_iterations : int
         In all, over all penalties.
+    enough : float
+        The work is done when a step gains less than this part of the cost.
+    near : bool
+        Whether x nearly is the minimum: the rising weights are then left out.
     stop : callable, optional
         Asked between iterations; True ends the work.
 
@@ -102,18 +110,23 @@ def minimise(
     """
     # Wild points overflow on the way; each step is judged by a finite merit.
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
-        return _minimise(objective, x, max_iterations, stop)
+        phase = _Phase(LAST_PENALTY, max_iterations, enough, True)
+        return _minimise(objective, x, () if near else PENALTIES, phase, stop)
 
 
 def _minimise(
-    objective: Objective[X], x: X, max_iterations: int, stop: Callable[[], bool] | None
+    objective: Objective[X],
+    x: X,
+    penalties: tuple[float, ...],
+    last: _Phase,
+    stop: Callable[[], bool] | None,
 ) -> Minimum[X]:
     iterations = 0
-    for rho in PENALTIES if objective.constrained else ():
+    for rho in penalties if objective.constrained else ():
         x, used, _ = _descend(objective, x, _Phase(rho, 6, 1e-4, False), stop)
         iterations += used
-    budget = max(1, max_iterations - iterations)
-    x, used, converged = _descend(objective, x, _Phase(LAST_PENALTY, budget, 1e-15, True), stop)
+    last = replace(last, budget=max(1, last.budget - iterations))
+    x, used, converged = _descend(objective, x, last, stop)
     return Minimum(x, iterations + used, converged, objective.merit(x, 0.0))
 
 

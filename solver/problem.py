@@ -17,14 +17,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from .annotations import (
-    EqualLength,
-    Ground,
-    Length,
-    OnFace,
-    Parallel,
-    SymmetryPlane,
-)
+from .annotations import EqualLength, SymmetryPlane
 from .camera import Camera
 from .circles import DrawnCircles, drawn_circles
 from .energies import ENERGIES, Linearised
@@ -206,13 +199,13 @@ class _Relations:
 
     def all(self) -> Iterator[_Item]:
         yield from self.right_angles()
-        for id_, a in zip(self.topology.annotation_ids, self.topology.annotations, strict=True):
-            if isinstance(a, Parallel):
-                yield from self.parallels(id_, a.edges)
-            elif isinstance(a, EqualLength):
-                yield from self.equal_lengths(id_, a)
-            elif isinstance(a, SymmetryPlane):
-                yield from self.symmetry(id_, a)
+        said = self.topology.by_kind
+        for id_, a in said["parallel"]:
+            yield from self.parallels(id_, a.edges)
+        for id_, a in said["equal_length"]:
+            yield from self.equal_lengths(id_, a)
+        for id_, a in said["symmetry_plane"]:
+            yield from self.symmetry(id_, a)
         yield from self.lengths()
 
     def _ends(self, edge: str) -> tuple[int, int]:
@@ -225,7 +218,12 @@ class _Relations:
         held = (axis[i] >= 0) & across[j, axis[i]] | (axis[j] >= 0) & across[i, axis[j]]
         for k in np.flatnonzero(~held).tolist():
             corner = [self._from(int(at[k]), int(edge[k])) for edge in (i, j)]
-            yield ("right_angle", corner[0] + corner[1], self.topology.right_angle_ids[k], _ONE)
+            yield (
+                "right_angle",
+                corner[0] + corner[1],
+                self.topology.by_kind["right_angle"][k][0],
+                _ONE,
+            )
 
     def _from(self, vertex: int, edge: int) -> tuple[int, int]:
         v, w = self.topology.ends[edge].tolist()
@@ -245,8 +243,7 @@ class _Relations:
 
     def lengths(self) -> Iterator[_Item]:
         """Given lengths as ratios to the first one."""
-        said = zip(self.topology.annotation_ids, self.topology.annotations, strict=True)
-        given = [(id_, a) for id_, a in said if isinstance(a, Length)]
+        given = self.topology.by_kind["length"]
         for id_, a in given[1:]:
             first = given[0][1]
             wanted = (first.length_mm, a.length_mm)
@@ -263,14 +260,11 @@ def _leftover_planes(
 ) -> Iterator[_Item]:
     """Vertices that have to lie in one plane: faces, what touches them, a slanted ground."""
     planes = _Planes(graph, topology, structure)
-    said = zip(topology.annotation_ids, topology.annotations, strict=True)
-    grounds = []
-    for id_, a in said:
-        if isinstance(a, OnFace) and graph.faces and a.face in graph.faces:
+    for id_, a in topology.by_kind["on_face"]:
+        if graph.faces and a.face in graph.faces:
             yield from planes.of(id_, graph.faces[a.face].loop, [a.vertex])
-        elif isinstance(a, Ground) and structure.vertical is None:
-            grounds.append((id_, a))
-    if grounds:
+    grounds = topology.by_kind["ground"]
+    if grounds and structure.vertical is None:
         vertices = list(dict.fromkeys(v for _, a in grounds for v in a.vertices))
         yield from planes.of(grounds[0][0], tuple(vertices), vertices)
     for id_, face in (graph.faces or {}).items():

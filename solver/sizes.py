@@ -10,9 +10,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .annotations import Diameter, Length
+from .annotations import Length
 from .graph import SketchGraph
 from .structure import Structure
+from .topology import topology_of
 from .values import Array, IntArray
 
 
@@ -72,13 +73,13 @@ class Diameters:
 def proportional_diameters(graph: SketchGraph, structure: Structure) -> Diameters:
     """The diameters of a graph that are to be held in proportion."""
     radius = dict(zip(graph.circles, structure.radius.tolist(), strict=True))
-    given = [(id_, a) for id_, a in graph.annotations.items() if isinstance(a, Diameter)]
-    lengths = [a for a in graph.annotations.values() if isinstance(a, Length)]
+    topology = topology_of(graph)
+    given, lengths = topology.by_kind["diameter"], topology.by_kind["length"]
     edge, first, wanted = None, 0, 1.0
     if lengths:
-        index = {v: i for i, v in enumerate(graph.vertices)}
-        edge = np.array([index[v] for v in graph.edges[lengths[0].edge]], dtype=np.int64)
-        wanted = lengths[0].length_mm
+        first_length: Length = lengths[0][1]
+        edge = topology.ends[topology.edges[first_length.edge]]
+        wanted = first_length.length_mm
     elif given:
         first, wanted = radius[given[0][1].circle], given[0][1].diameter_mm
         given = given[1:]

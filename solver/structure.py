@@ -17,13 +17,13 @@ vertical
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
 
-from .annotations import Annotation, OnFace
+from .annotations import Annotation
 from .directions import Directions, direction_classes, first_members
 from .graph import Revolution, SketchGraph
 from .topology import MAX_KEPT, Topology, topology_of, topology_with
@@ -68,14 +68,14 @@ class Structure:
 
 
 def build_structure(
-    graph: SketchGraph, annotations: Iterable[Annotation] | None = None
+    graph: SketchGraph, annotations: Mapping[str, Annotation] | None = None
 ) -> Structure:
     """Reason out axes and shared coordinates.
 
     Parameters
     ----------
     graph : SketchGraph
-    annotations : iterable of Annotation, optional
+    annotations : mapping of id to Annotation, optional
         Those to use; by default all of the graph's.
     """
     if annotations is None:
@@ -238,9 +238,8 @@ def _chain(members: list[int]) -> IntArray:
 def _share_in_faces(topology: Topology, edge_axis: IntArray, shared: IntArray) -> IntArray:
     """A named face that is square to an axis ties that coordinate for all that lies in it."""
     touching: dict[str, list[str]] = {}
-    for annotation in topology.annotations:
-        if isinstance(annotation, OnFace):
-            touching.setdefault(annotation.face, []).append(annotation.vertex)
+    for _, annotation in topology.by_kind["on_face"]:
+        touching.setdefault(annotation.face, []).append(annotation.vertex)
     ends = zip(topology.ends.tolist(), edge_axis.tolist(), strict=True)
     axis_between = {frozenset(pair): k for pair, k in ends}
     sets = UnionFind(len(shared))

@@ -11,14 +11,14 @@ two-path
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from threading import Lock
 from typing import Any
 
 import numpy as np
 
-from .annotations import Annotation, Ground, Parallel, RightAngle, SymmetryPlane
+from .annotations import ANNOTATIONS, Annotation
 from .graph import Face, Revolution, SketchGraph
 from .values import IntArray
 
@@ -40,13 +40,9 @@ class Topology:
     ends : (m, 2) int array
         Vertex indices of each edge.
     revolutions, faces : as in SketchGraph
-    annotations : tuple of Annotation
-    annotation_ids : tuple of str
-        Empty where annotations were given without ids, as is right_angle_ids.
     right_angles : (k, 3) int array
         Vertex and the two edges of each annotated right angle.
-    right_angle_ids : tuple of str
-        Their annotations.
+    by_kind : mapping of kind to tuple of (id, Annotation)
     parallels : tuple of int arrays
         Edges of each parallel annotation and of each symmetry plane.
     ground : (g,) int array
@@ -59,10 +55,8 @@ class Topology:
     ends: IntArray
     revolutions: Mapping[str, Revolution]
     faces: Mapping[str, Face] | None
-    annotations: tuple[Annotation, ...]
-    annotation_ids: tuple[str, ...]
     right_angles: IntArray
-    right_angle_ids: tuple[str, ...]
+    by_kind: Mapping[str, tuple[tuple[str, Any], ...]]
     parallels: tuple[IntArray, ...]
     ground: IntArray
 
@@ -82,7 +76,7 @@ def topology_of(graph: SketchGraph) -> Topology:
             if _same(known, key):
                 _kept.insert(0, _kept.pop(i))
                 return topology
-    topology = topology_with(graph, tuple(graph.annotations.values()), tuple(graph.annotations))
+    topology = topology_with(graph, graph.annotations)
     with _lock:
         _kept.insert(0, (key, topology))
         del _kept[MAX_KEPT:]
@@ -102,22 +96,20 @@ def _same(known: _Key, key: _Key) -> bool:
     )
 
 
-def topology_with(
-    graph: SketchGraph, said: Iterable[Annotation], ids: tuple[str, ...] = ()
-) -> Topology:
+def topology_with(graph: SketchGraph, annotations: Mapping[str, Annotation]) -> Topology:
     """The topology of a graph with some of its annotations, or others."""
-    said = tuple(said)
     vertices = {v: i for i, v in enumerate(graph.vertices)}
     edges = {e: i for i, e in enumerate(graph.edges)}
-    corners = [
-        (vertices[a.at], edges[a.between[0]], edges[a.between[1]])
-        for a in said
-        if isinstance(a, RightAngle)
-    ]
-    corner_ids = [id_ for id_, a in zip(ids, said, strict=False) if isinstance(a, RightAngle)]
-    together = [a.edges for a in said if isinstance(a, Parallel)]
-    together += [a.midpoints_of for a in said if isinstance(a, SymmetryPlane)]
-    ground = {vertices[v] for a in said if isinstance(a, Ground) for v in a.vertices}
+    by_kind: dict[str, list[tuple[str, Any]]] = {kind: [] for kind in ANNOTATIONS}
+    for item in annotations.items():
+        by_kind[item[1].kind].append(item)
+    corners = []
+    for _, a in by_kind["right_angle"]:
+        first, second = a.between
+        corners.append((vertices[a.at], edges[first], edges[second]))
+    together = [a.edges for _, a in by_kind["parallel"]]
+    together += [a.midpoints_of for _, a in by_kind["symmetry_plane"]]
+    ground = {vertices[v] for _, a in by_kind["ground"] for v in a.vertices}
     return Topology(
         vertices=vertices,
         edges=edges,
@@ -125,10 +117,8 @@ def topology_with(
         ends=_ints([(vertices[v], vertices[w]) for v, w in graph.edges.values()], 2),
         revolutions=graph.revolutions,
         faces=graph.faces,
-        annotations=said,
-        annotation_ids=ids,
+        by_kind={kind: tuple(items) for kind, items in by_kind.items()},
         right_angles=_ints(corners, 3),
-        right_angle_ids=tuple(corner_ids),
         parallels=tuple(np.array([edges[e] for e in group]) for group in together),
         ground=np.array(sorted(ground), dtype=np.int64),
     )

@@ -12,6 +12,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -30,7 +31,7 @@ from .faces import find_faces
 from .full import EXIF_LOG_SIGMA, FocalPrior, FullProblem, Pose
 from .graph import SketchGraph
 from .initial import USUAL_LOG_FOCAL, Start, lift_linear, starts
-from .least_squares import Minimum, minimise
+from .least_squares import ENOUGH, Minimum, minimise
 from .problem import Problem, build_problem
 from .residuals import annotation_residuals
 from .revolution import in_side_plane, without_profiles
@@ -51,8 +52,12 @@ from .world import (
 MAX_STARTS = 9
 #: Iterations to tell promising views from others, views that are finished, iterations for those.
 TRIAL_ITERATIONS = 14
+TRIAL_ENOUGH = 1e-3
 MAX_FINISHED = 2
 MAX_ITERATIONS = 100
+#: A view that in so many more iterations gains less than this part of its distance to the best is
+#: not carried on.
+REACH = 0.25
 #: Views whose lines fit so many times worse than the best ones are not carried on.
 HOPELESS = 100.0
 #: A log focal length less certain than this counts as not determined by the sketch.
@@ -182,21 +187,36 @@ def _best(
     """
     full = FullProblem(problem, prior)
 
-    def carry_on(pose: Pose, max_iterations: int) -> _Lifted:
-        minimum = minimise(full, pose, max_iterations=max_iterations, stop=stop)
+    def carry_on(pose: Pose, enough: float, *, near: bool) -> _Lifted:
+        minimum = minimise(
+            full, pose, max_iterations=TRIAL_ITERATIONS, enough=enough, near=near, stop=stop
+        )
         above = camera_above_ground(graph, problem, minimum.x)
         return _Lifted(problem, full, minimum, above)
 
     tried: list[_Lifted] = []
     for pose in _initial_poses(problem):
-        tried.append(carry_on(pose, TRIAL_ITERATIONS))
+        tried.append(carry_on(pose, TRIAL_ENOUGH, near=False))
         if _is_exact(tried[-1]):
             break
-    finished = [
-        t if t.minimum.converged else carry_on(t.minimum.x, MAX_ITERATIONS)
-        for t in _promising(graph, tried)
-    ]
+    finished: list[_Lifted] = []
+    for t in _promising(graph, tried):
+        least = min((f.minimum.cost for f in finished), default=np.inf)
+        finished.append(_finish(t, partial(carry_on, enough=ENOUGH, near=True), least))
     return _preferred(graph, finished)[0] if finished else None
+
+
+def _finish(t: _Lifted, carry_on: Callable[[Pose], _Lifted], least: float) -> _Lifted:
+    """Go on to the minimum, as long as the least cost known so far seems within reach."""
+    used = t.minimum.iterations
+    while used < MAX_ITERATIONS:
+        before = t.minimum.cost
+        t = carry_on(t.minimum.x)
+        used += t.minimum.iterations
+        gain = before - t.minimum.cost
+        if t.minimum.converged or not gain > max(0.0, REACH * (t.minimum.cost - least)):
+            break
+    return replace(t, minimum=replace(t.minimum, iterations=used))
 
 
 def _initial_poses(problem: Problem) -> Iterator[Pose]:

@@ -11,17 +11,18 @@ The drawing and the annotations leave the world's frame open; it is chosen so:
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
-from .annotations import Diameter, Ground, Length
 from .full import Pose
 from .geometry import cross
 from .graph import SketchGraph
 from .problem import Problem
 from .structure import ground_circles
+from .topology import topology_of
 from .values import Array
 
 ASSUMED_LONGEST_MM = 100.0
@@ -101,10 +102,9 @@ def camera_above_ground(graph: SketchGraph, problem: Problem, pose: Pose) -> boo
 
 def ground_indices(graph: SketchGraph) -> list[int]:
     """Indices of the points on the ground: annotated vertices, ground circles' centres."""
-    index = {v: i for i, v in enumerate(graph.vertices)}
-    circle = {c: len(index) + i for i, c in enumerate(graph.circles)}
-    said = {v for a in graph.annotations.values() if isinstance(a, Ground) for v in a.vertices}
-    return sorted([*(index[v] for v in said), *(circle[c] for c in ground_circles(graph))])
+    topology = topology_of(graph)
+    circles = [len(topology.vertices) + topology.circles[c] for c in ground_circles(graph)]
+    return sorted([*topology.ground.tolist(), *circles])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -190,18 +190,9 @@ def _axes(problem: Problem, pose: Pose, up: Array) -> Array:
 
 
 def _scale(graph: SketchGraph, lifted: Lifted) -> tuple[float, bool]:
-    length = {
-        e: float(np.linalg.norm(lifted.vertices[w] - lifted.vertices[v]))
-        for e, (v, w) in graph.edges.items()
-    }
-    given = [
-        (length[a.edge], a.length_mm) for a in graph.annotations.values() if isinstance(a, Length)
-    ]
-    given += [
-        (2 * lifted.radii[a.circle], a.diameter_mm)
-        for a in graph.annotations.values()
-        if isinstance(a, Diameter)
-    ]
+    said = topology_of(graph).by_kind
+    given = [(_length(graph, lifted, a.edge), a.length_mm) for _, a in said["length"]]
+    given += [(2 * lifted.radii[a.circle], a.diameter_mm) for _, a in said["diameter"]]
     if given:
         drawn, wanted = np.array(given).T
         weight = drawn / wanted
@@ -209,5 +200,11 @@ def _scale(graph: SketchGraph, lifted: Lifted) -> tuple[float, bool]:
             return 1.0, False
         # Exact for one length or lengths in proportion, a fair mean for others.
         return float(np.sum(weight) / np.sum(weight**2)), False
-    longest = max([*length.values()] or [2 * r for r in lifted.radii.values()], default=0.0)
+    lengths = [_length(graph, lifted, e) for e in graph.edges]
+    longest = max(lengths or [2 * r for r in lifted.radii.values()], default=0.0)
     return (ASSUMED_LONGEST_MM / longest if longest > 0 else 1.0), True
+
+
+def _length(graph: SketchGraph, lifted: Lifted, edge: str) -> float:
+    v, w = graph.edges[edge]
+    return math.dist(lifted.vertices[v].tolist(), lifted.vertices[w].tolist())

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import time
+from collections.abc import Callable
 
 import FreeCADGui
 import numpy as np
@@ -18,6 +19,20 @@ def pump(seconds: float = 0.3) -> None:
         # Only an event loop of its own would delete what was closed.
         QtGui.QApplication.sendPostedEvents(None, QtCore.QEvent.DeferredDelete)
         time.sleep(0.01)
+
+
+def wait_until(is_so: Callable[[], bool], seconds: float = 20.0) -> None:
+    """Let Qt work until something is so.
+
+    Raises
+    ------
+    AssertionError
+        Where it does not come to be.
+    """
+    end = time.monotonic() + seconds
+    while not is_so():
+        assert time.monotonic() < end, "waited in vain"
+        pump(0.02)
 
 
 class Hands:

@@ -9,6 +9,7 @@ from PySide import QtCore
 
 from incontext.solver.annotating import set_length
 from incontext.solver.camera import Camera
+from incontext.tests.freecad.hands import wait_until
 from incontext.workbench.canvas.overlay import Findings
 from incontext.workbench.features import pipeline
 
@@ -174,10 +175,12 @@ def test_tab_says_without_a_model_what_is_missing_and_what_disagrees(window, she
     (length,) = shelf.annotations_of("length").values()
     other = next(e for e in shelf.edges if is_opposite(shelf, e, length.edge))
     controller.write(set_length(shelf, other, 3 * length.length_mm), "Set length")
+    wait_until(lambda: not controller.lifting.is_busy)
     assert view.findings.conflicts
     assert controller.tab.outcome == solution_of(controller).message
     ground_only = shelf.annotations_of("ground")
     controller.write(replace(shelf, annotations=ground_only), "Less")
+    wait_until(lambda: not controller.lifting.is_busy)
     assert view.findings.loose
     assert controller.tab.outcome == solution_of(controller).message
 

@@ -104,7 +104,8 @@ class Drawing:
         self._selection = Selection(
             selection.vertices & set(self._graph.vertices),
             selection.edges & set(self._graph.edges),
-            circles=selection.circles & set(self._graph.circles),
+            selection.circles & set(self._graph.circles),
+            selection.annotations & set(self._graph.annotations),
         )
         self._listener.changed()
 
@@ -194,7 +195,11 @@ class Drawing:
         chosen = self._selection
         if chosen and self._graph is self._committed:
             smaller = delete(
-                self._graph, vertices=chosen.vertices, edges=chosen.edges, circles=chosen.circles
+                self._graph,
+                vertices=chosen.vertices,
+                edges=chosen.edges,
+                circles=chosen.circles,
+                annotations=chosen.annotations,
             )
             self.select(Selection())
             self.commit(smaller, "Delete")

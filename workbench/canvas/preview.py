@@ -5,7 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from ...solver.annotations import targets_of
+
 if TYPE_CHECKING:
+    from ...solver.graph import SketchGraph
     from .hit_testing import Corner
     from .plane import Point
     from .snapping import Snap
@@ -13,14 +16,15 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Selection:
-    """Vertices, edges and circles that are selected."""
+    """Vertices, edges, circles and annotations that are selected."""
 
     vertices: frozenset[str] = frozenset()
     edges: frozenset[str] = frozenset()
     circles: frozenset[str] = frozenset()
+    annotations: frozenset[str] = frozenset()
 
     def __bool__(self) -> bool:
-        return bool(self.vertices or self.edges or self.circles)
+        return bool(self.vertices or self.edges or self.circles or self.annotations)
 
     def touches(self, other: Selection) -> bool:
         """Whether something is in both."""
@@ -36,6 +40,7 @@ class Selection:
             vertices=self.vertices ^ other.vertices,
             edges=self.edges ^ other.edges,
             circles=self.circles ^ other.circles,
+            annotations=self.annotations ^ other.annotations,
         )
 
     def united(self, other: Selection) -> Selection:
@@ -44,6 +49,18 @@ class Selection:
             vertices=self.vertices | other.vertices,
             edges=self.edges | other.edges,
             circles=self.circles | other.circles,
+            annotations=self.annotations | other.annotations,
+        )
+
+    def with_targets(self, graph: SketchGraph) -> Selection:
+        """With the vertices, edges and circles that its annotations name."""
+        there = self.annotations & set(graph.annotations)
+        named = [targets_of(graph.annotations[a]) for a in there]
+        return Selection(
+            vertices=self.vertices.union(*(n.get("vertex", ()) for n in named)),
+            edges=self.edges.union(*(n.get("edge", ()) for n in named)),
+            circles=self.circles.union(*(n.get("circle", ()) for n in named)),
+            annotations=self.annotations,
         )
 
 

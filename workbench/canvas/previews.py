@@ -37,7 +37,7 @@ def paint_below(painter: QtGui.QPainter, scene: Scene, work: Work) -> None:
     painter.setRenderHint(QtGui.QPainter.Antialiasing)
     _areas(painter, [[work.on_screen(p) for p in area] for area in work.preview.areas])
     _halos(painter, scene, work.preview.lit, style.HOVER)
-    _halos(painter, scene, work.selection, style.SELECTED)
+    _halos(painter, scene, work.selection.with_targets(scene.graph), style.SELECTED)
 
 
 def _areas(painter: QtGui.QPainter, areas: list[list[Point]]) -> None:
@@ -65,7 +65,8 @@ def _halos(painter: QtGui.QPainter, scene: Scene, chosen: Selection, colour: str
 
 def paint_above(painter: QtGui.QPainter, scene: Scene, work: Work) -> None:
     """Paint all the rest."""
-    _vertices(painter, scene, work.selection.vertices, style.SELECTED)
+    chosen = work.selection.with_targets(scene.graph)
+    _vertices(painter, scene, chosen.vertices, style.SELECTED)
     _vertices(painter, scene, work.preview.lit.vertices, style.HOVER)
     guides = [tuple(map(work.on_screen, line)) for line in work.preview.guides]
     fine(painter, guides, style.GUIDE)

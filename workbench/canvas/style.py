@@ -23,8 +23,12 @@ CONFLICT = "#ff0022"
 TEXT = "#2e3436"
 LEFT_OUT = "#1769c9"
 OUTSIDE = "#5c6066"
+LIFTED = "#39b6a8"
+"""Of the lifted shape's faces, where they lie in the photo."""
+LIFTED_LINE = "#0b7a6e"
 
 EDGE_PX = 2.0
+LIFTED_PX = 1.4
 CONSTRUCTION_PX = 1.6
 CASING_PX = 1.2
 """How far the casing looks out on both sides of a line."""
@@ -53,6 +57,7 @@ REACH_PX = 9.0
 CASING_ALPHA = 225
 BOX_ALPHA = 40
 AREA_ALPHA = 80
+LIFTED_ALPHA = 22
 CONFLICT_ALPHA = 190
 LEFT_OUT_ALPHA = 70
 """Of the hatching over faces left out; 255 is opaque."""

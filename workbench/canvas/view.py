@@ -8,8 +8,11 @@ from typing import TYPE_CHECKING
 from . import keys, overlay, previews, style, symbols, turning
 from .drawing import Drawing, Listener
 from .length_editor import LengthEditor
-from .marks import marks_of
+from .lift_painting import paint_lift
+from .lifted import LiftedView
+from .marks import Marks, marks_of
 from .photo_view import PhotoView
+from .preview import Selection
 from .qt import QtCore, QtGui
 from .questions import Question
 from .tools import KEYS
@@ -38,6 +41,10 @@ class SketchView(PhotoView):
         Another tool is at work: its name.
     hint_changed(str)
         What to do next, in one line.
+    graph_shown(object)
+        Another SketchGraph is shown, many a second in the middle of a drag.
+    selection_changed(object)
+        Something else is selected: a Selection.
     """
 
     graph_edited = QtCore.Signal(object, str)
@@ -45,6 +52,8 @@ class SketchView(PhotoView):
     redo_asked = QtCore.Signal()
     tool_changed = QtCore.Signal(str)
     hint_changed = QtCore.Signal(str)
+    graph_shown = QtCore.Signal(object)
+    selection_changed = QtCore.Signal(object)
 
     def __init__(
         self,
@@ -59,6 +68,9 @@ class SketchView(PhotoView):
         self.in_words: Callable[[str], str] = str
         self._findings = overlay.Findings()
         self._hint = ""
+        self._lifted = LiftedView()
+        self._marked: tuple[object, Marks] | None = None
+        self._told: tuple[SketchGraph, Selection] = (graph, Selection())
         listener = Listener(self.graph_edited.emit, self._refresh, self._ask)
         self._drawing = Drawing(graph, listener)
         self._editor = LengthEditor(self.viewport(), self._drawing.answer)
@@ -78,6 +90,25 @@ class SketchView(PhotoView):
         """Show which vertices are not held yet, and which annotations disagree."""
         self._findings = overlay.Findings(frozenset(loose), frozenset(conflicts))
         self.viewport().update()
+
+    def set_lifted(self, lifted: LiftedView) -> None:
+        """Show where the lifted shape lies in the photo."""
+        self._lifted = lifted
+        self.viewport().update()
+
+    @property
+    def lifted(self) -> LiftedView:
+        """Where the lifted shape lies in the photo."""
+        return self._lifted
+
+    @property
+    def selection(self) -> Selection:
+        """What is selected."""
+        return self._drawing.selection
+
+    def select(self, selection: Selection) -> None:
+        """Select something else."""
+        self._drawing.select(selection)
 
     @property
     def findings(self) -> overlay.Findings:
@@ -110,23 +141,27 @@ class SketchView(PhotoView):
         if self._hint != self.hint:
             self._hint = self.hint
             self.hint_changed.emit(self._hint)
+        (graph, selection), self._told = self._told, (self.graph, self.selection)
+        if graph is not self.graph:
+            self.graph_shown.emit(self.graph)
+        if selection != self.selection:
+            self.selection_changed.emit(self.selection)
 
     def drawForeground(self, painter: QtGui.QPainter, area: QtCore.QRectF) -> None:  # noqa: N802
         """Paint the sketch, in screen px."""
-        graph = self.graph
-        screen = {v: self._on_screen(point) for v, point in graph.vertices.items()}
+        graph, on_screen = self.graph, self._way_to_screen()
+        screen = {v: on_screen(point) for v, point in graph.vertices.items()}
         circles = {
-            c: symbols.ellipse(
-                tuple(map(self._on_screen, drawn.a)), tuple(map(self._on_screen, drawn.b))
-            )
+            c: symbols.ellipse(tuple(map(on_screen, drawn.a)), tuple(map(on_screen, drawn.b)))
             for c, drawn in graph.circles.items()
         }
         painter.save()
         painter.resetTransform()
-        rings = [tuple(map(self._on_screen, line)) for line in turning.rings_of(graph)]
-        scene = overlay.Scene(graph, marks_of(graph), screen, circles, self._findings, tuple(rings))
+        paint_lift(painter, self._lifted, on_screen)
+        rings = tuple(tuple(map(on_screen, line)) for line in turning.rings_of(graph))
+        scene = overlay.Scene(graph, self._marks(), screen, circles, self._findings, rings)
         work = previews.Work(
-            self._drawing.preview, self._drawing.selection, self._on_screen, self.in_words
+            self._drawing.preview, self._drawing.selection, on_screen, self.in_words
         )
         previews.paint_below(painter, scene, work)
         overlay.paint(painter, scene)
@@ -136,8 +171,21 @@ class SketchView(PhotoView):
         painter.restore()
 
     def _on_screen(self, point_px: Point) -> Point:
-        point = self.viewportTransform().map(QtCore.QPointF(*point_px))
-        return (point.x(), point.y())
+        return self._way_to_screen()(point_px)
+
+    def _way_to_screen(self) -> Callable[[Point], Point]:
+        """From photo to screen, in plain numbers: a sketch has many points."""
+        way = self.viewportTransform()
+        zoom, left, top = way.m11(), way.dx(), way.dy()
+        return lambda point_px: (zoom * point_px[0] + left, zoom * point_px[1] + top)
+
+    def _marks(self) -> Marks:
+        """The marks of the graph's annotations, which stay the same while it is dragged."""
+        graph = self.graph
+        said = (graph.annotations, graph.edges, graph.faces)
+        if self._marked is None or self._marked[0] != said:
+            self._marked = (said, marks_of(graph))
+        return self._marked[1]
 
     # Mouse
 

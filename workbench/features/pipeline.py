@@ -7,6 +7,7 @@ imported on first use: opening FreeCAD must not wait for it.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
@@ -29,12 +30,34 @@ def graph_of(sketch_text: str) -> SketchGraph:
     return sketch_from_text(sketch_text)
 
 
-@lru_cache(maxsize=REMEMBERED)
+#: Solutions by the text of their sketch, the oldest first.
+_solutions: dict[str, Solution] = {}
+
+
 def solution_of(sketch_text: str) -> Solution:
     """The sketch lifted to 3D; raises SketchError where the text is no sketch."""
+    if sketch_text not in _solutions:
+        remember_solution(sketch_text, lift(graph_of(sketch_text)))
+    return _solutions[sketch_text]
+
+
+def known_solution_of(sketch_text: str) -> Solution | None:
+    """The sketch lifted to 3D where that was done before, else None."""
+    return _solutions.get(sketch_text)
+
+
+def remember_solution(sketch_text: str, solution: Solution) -> None:
+    """Take a solution that was found elsewhere, from the sketch alone."""
+    _solutions[sketch_text] = solution
+    for text in list(_solutions)[:-REMEMBERED]:
+        del _solutions[text]
+
+
+def lift(graph: SketchGraph, stop: Callable[[], bool] | None = None) -> Solution:
+    """The graph lifted to 3D; `stop` is asked now and then whether to give up."""
     from ...solver import solve
 
-    return solve(graph_of(sketch_text))
+    return solve(graph, stop=stop)
 
 
 @lru_cache(maxsize=REMEMBERED)

@@ -1,10 +1,15 @@
-"""Keeps a tab and its photo sketch together: edits go to the document, its changes come back."""
+"""Keeps a tab and its photo sketch together: edits go to the document, its changes come back.
+
+While the hand is at work the shape follows in the tab and in the 3D view, and the document knows
+nothing of it; the end of a gesture is one step of the document.
+"""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
 from .. import host
+from ..canvas.lifted import LiftedView, lifted_view
 from ..canvas.photo import PhotoError, load_photo
 from ..canvas.solved import Solved
 from ..canvas.view import sketch_size
@@ -13,6 +18,8 @@ from ..features.lifted_model import is_lifted_model
 from ..features.plate_set import is_plate_set
 from ..features.shelled_solid import is_shelled_solid
 from ..problems import known_problems
+from .lifting import Lifting
+from .shape_preview import ShapePreview
 from .sketch_tab import SketchTab
 
 if TYPE_CHECKING:
@@ -29,10 +36,16 @@ class SketchController:
         self.document_name = obj.Document.Name
         graph = pipeline.graph_of(obj.Sketch)
         self.tab = SketchTab(graph, _photo_of(obj), obj.Label)
+        self.preview = ShapePreview(self.document_name)
+        self.lifting = Lifting(self.tab)
+        #: The last lift: what it is of, and what came of it.
+        self.lift: tuple[SketchGraph, Solution] | None = None
+        self._solved: Solved | None = None
         self.tab.view.graph_edited.connect(self.write)
         self.tab.view.undo_asked.connect(self.undo)
         self.tab.view.redo_asked.connect(self.redo)
-        self._solved: Solved | None = None
+        self.tab.view.graph_shown.connect(self._want)
+        self.lifting.lifted.connect(self._show_lift)
         self.show_outcome()
 
     def write(self, graph: SketchGraph, words: str) -> None:
@@ -87,10 +100,68 @@ class SketchController:
             # A script may write anything: the tab goes on showing the last sketch.
             self.tab.show_outcome(str(error), good=False)
 
+    # The lift
+
+    def _want(self, graph: SketchGraph) -> None:
+        """Have the graph that is shown lifted."""
+        if graph.edges or graph.circles:
+            self.lifting.want(graph)
+        else:
+            self.lifting.forget()
+            self._show_nothing()
+
+    def _show_lift(self, graph: SketchGraph, solution: Solution) -> None:
+        """Show a lift that has just come, of the document's sketch or of one in the hand."""
+        self.lift = (graph, solution)
+        if graph == self._stored_graph():
+            pipeline.remember_solution(self.obj.Sketch, solution)
+            self.show_outcome()
+        else:
+            self._show_solution(solution, in_hand=True)
+            self._say(solution)
+
+    def _show_solution(self, solution: Solution, *, in_hand: bool) -> None:
+        view = self.tab.view
+        view.set_lifted(lifted_view(solution))
+        view.set_findings(solution.report.loose, solution.report.conflicts)
+        made = _dependents(self.obj)
+        if solution.vertices_mm and (in_hand or not made):
+            self.preview.show(solution, made)
+        else:
+            self.preview.hide()
+
+    def _show_nothing(self) -> None:
+        self.lift = self._solved = None
+        self.tab.view.set_solved(None)
+        self.tab.view.set_lifted(LiftedView())
+        self.tab.view.set_findings((), ())
+        self.preview.hide()
+
+    def _say(self, solution: Solution) -> None:
+        self.tab.show_outcome(solution.message, good=solution.status.value == "converged")
+
+    def _stored_graph(self) -> SketchGraph | None:
+        try:
+            return pipeline.graph_of(self.obj.Sketch)
+        except known_problems():
+            # The photo sketch itself says it, in its message.
+            return None
+
     def show_outcome(self) -> None:
         """Say in the tab's bar how the last recompute of what depends on the sketch went."""
-        solution = self._solution()
-        self._show_findings(solution)
+        solution = pipeline.known_solution_of(self.obj.Sketch)
+        graph = self._stored_graph()
+        if solution is None or graph is None:
+            # It comes when it is ready.
+            self._want(self.tab.view.graph)
+        else:
+            self.lifting.take(graph, solution)
+            self.lift = (graph, solution)
+            self._take_solved(graph, solution)
+            self._show_solution(solution, in_hand=False)
+        self._say_all(solution)
+
+    def _say_all(self, solution: Solution | None) -> None:
         objects = [self.obj, *_dependents(self.obj)]
         bad = [o.Message for o in objects if o.Status not in ("", "ready", "converged", "made")]
         if not bad and solution is not None and solution.status.value != "converged":
@@ -104,30 +175,15 @@ class SketchController:
         joined = " \N{MIDDLE DOT} ".join(w.rstrip(".") for w in words if w)
         self.tab.show_outcome(joined, good=True)
 
-    def _solution(self) -> Solution | None:
-        """The sketch lifted to 3D, also before there is an object for it; None for nothing."""
-        try:
-            graph = pipeline.graph_of(self.obj.Sketch)
-            if not graph.edges and not graph.circles:
-                return None
-            return pipeline.solution_of(self.obj.Sketch)
-        except known_problems():
-            # The photo sketch itself says it, in its message.
-            return None
+    def close(self) -> None:
+        """The tab goes: leave nothing behind in the 3D view."""
+        self.lifting.forget()
+        self.preview.hide()
 
-    def _show_findings(self, solution: Solution | None) -> None:
-        self._take_solved(solution)
-        if solution is None:
-            self.tab.view.set_findings((), ())
-        else:
-            self.tab.view.set_findings(solution.report.loose, solution.report.conflicts)
-
-    def _take_solved(self, solution: Solution | None) -> None:
+    def _take_solved(self, graph: SketchGraph, solution: Solution) -> None:
         """Give the tools the last good solution; an unfinished edit does not take it away."""
-        if solution is not None and solution.status.value == "converged":
-            self._solved = Solved(pipeline.graph_of(self.obj.Sketch), solution)
-        elif solution is None:
-            self._solved = None
+        if solution.status.value == "converged":
+            self._solved = Solved(graph, solution)
         self.tab.view.set_solved(self._solved)
 
 

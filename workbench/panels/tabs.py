@@ -91,6 +91,7 @@ def _keep_buttons_right(controller: SketchController) -> None:
 
 def _forget(key: _Key, controller: SketchController) -> None:
     """A tab is gone; a new document of the same name may have a tab of its own by now."""
+    controller.close()
     if _open.get(key) is controller:
         del _open[key]
 
@@ -184,6 +185,7 @@ def _show_outcomes(document: Any) -> None:
 def _close(key: _Key) -> None:
     controller = _open.pop(key, None)
     if controller is not None:
+        controller.close()
         subwindow = subwindow_of(controller.tab)
         # Not at once: FreeCAD is in the middle of taking the document apart.
         QtCore.QTimer.singleShot(0, subwindow.close if subwindow else controller.tab.close)

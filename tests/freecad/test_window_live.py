@@ -1,0 +1,145 @@
+"""The shape follows the hand: in the photo and in the 3D view, before anything is stored."""
+
+import threading
+import time
+
+import FreeCADGui
+import numpy as np
+import pytest
+from PySide import QtCore
+
+from incontext.solver import solve
+from incontext.tests.freecad.hands import pump, wait_until
+from incontext.workbench.features import pipeline
+from incontext.workbench.panels.lifting import Lifting
+
+
+@pytest.fixture
+def controller(hands, shelf):
+    from incontext.workbench.panels.tabs import show_tab
+    from incontext.workbench.panels.tiling import show_side_by_side
+
+    FreeCADGui.getMainWindow().showMaximized()
+    controller = show_tab(shelf[0])
+    show_side_by_side(controller)
+    pump(0.5)
+    return controller
+
+
+def on_screen(view, vertex):
+    point = QtCore.QPointF(*view.graph.vertices[vertex])
+    return view.viewport().mapToGlobal(view.mapFromScene(point))
+
+
+@pytest.fixture
+def dragged(controller, hands, shelf):
+    """In the middle of a drag; let go afterwards."""
+    before = (shelf[0].Sketch, controller.tab.view.lifted)
+    start = on_screen(controller.tab.view, "v8")
+    hands.move(start)
+    hands._do("mousedown", "1")
+    for k in range(4):
+        hands.move(start + QtCore.QPoint(3 * k, -5 * k))
+    wait_until(lambda: controller.tab.view.lifted != before[1])
+    wait_until(lambda: not controller.lifting.is_busy)
+    yield before
+    hands._do("mouseup", "1")
+
+
+def test_shape_follows_before_the_document_knows(controller, shelf, dragged):
+    text, lifted = dragged
+    view = controller.tab.view
+    assert shelf[0].Sketch == text
+    solution = solve(view.graph)
+    shown = np.array([view.lifted.edges[e] for e in view.graph.edges])
+    ends = [[solution.vertices_mm[v] for v in view.graph.edges[e]] for e in view.graph.edges]
+    assert shown.reshape(-1, 2) == pytest.approx(
+        solution.camera.project(np.array(ends).reshape(-1, 3)), abs=0.01
+    )
+    assert shown != pytest.approx(np.array([lifted.edges[e] for e in view.graph.edges]), abs=0.5)
+
+
+def test_preview_stands_in_for_the_plates_until_the_hand_lets_go(controller, hands, shelf, dragged):
+    plates = shelf[2].ViewObject
+    assert controller.preview.is_shown
+    assert plates.SwitchNode.whichChild.getValue() == -1
+    assert plates.Visibility
+    hands._do("mouseup", "1")
+    assert not controller.preview.is_shown
+    assert plates.SwitchNode.whichChild.getValue() >= 0
+    assert shelf[0].Sketch != dragged[0]
+    assert shelf[0].Document.UndoNames[0] == "Move vertex"
+
+
+def test_escape_brings_the_old_shape_back(controller, hands, dragged):
+    text, lifted = dragged
+    hands.press("Escape")
+    wait_until(lambda: not controller.lifting.is_busy)
+    assert controller.obj.Sketch == text
+    assert controller.tab.view.lifted == lifted
+    assert not controller.preview.is_shown
+
+
+def test_without_a_model_the_preview_shows_the_shape(document, shelf_path):
+    from incontext.workbench.commands.import_sketch import imported
+    from incontext.workbench.panels.tabs import show_tab
+
+    controller = show_tab(imported(document, shelf_path))
+    wait_until(lambda: controller.preview.is_shown)
+    document.removeObject(controller.obj.Name)
+    wait_until(lambda: not controller.preview.is_shown)
+
+
+@pytest.fixture
+def slow(monkeypatch, shelf_path):
+    """A lifting of solves that take long, and what comes of it."""
+    solved_in = []
+
+    def lift(graph, stop=None):
+        solved_in.append(threading.current_thread())
+        began = time.thread_time()
+        while time.thread_time() - began < 0.15 and not stop():
+            sum(range(1000))
+        return solve(graph)
+
+    monkeypatch.setattr(pipeline, "lift", lift)
+    lifting = Lifting()
+    came = []
+    lifting.lifted.connect(lambda graph, solution: came.append((graph, solution)))
+    yield lifting, came, solved_in
+    lifting.deleteLater()
+
+
+def test_slow_solves_go_on_in_a_thread(slow, shelf_path):
+    from incontext.solver import load_sketch
+
+    lifting, came, solved_in = slow
+    graph = load_sketch(shelf_path)
+    lifting.want(graph)
+    wait_until(lambda: came)
+    assert came[0][0] is graph
+    assert solved_in[0] is threading.main_thread()
+    assert solved_in[1] is not threading.main_thread()
+    lifting.want(load_sketch(shelf_path))
+    wait_until(lambda: len(came) == 2)
+    # It has learnt that these are slow.
+    assert len(solved_in) == 3
+    assert solved_in[2] is not threading.main_thread()
+
+
+def test_only_what_is_still_wanted_comes(slow, shelf_path):
+    from incontext.solver import load_sketch
+    from incontext.solver.editing import delete
+
+    lifting, came, _ = slow
+    graph = load_sketch(shelf_path)
+    other = delete(graph, annotations=graph.annotations_of("length"))
+    lifting.want(graph)
+    pump(0.1)
+    lifting.want(other)
+    wait_until(lambda: not lifting.is_busy)
+    assert [g for g, _ in came] == [other]
+    lifting.want(graph)
+    lifting.forget()
+    pump(0.4)
+    assert len(came) == 1

@@ -5,7 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
-from .annotations import Annotation, EqualLength, Ground, Length, Parallel, RightAngle
+from .annotations import (
+    Annotation,
+    EqualLength,
+    Ground,
+    Length,
+    Parallel,
+    RightAngle,
+    SymmetryPlane,
+)
 from .errors import SketchError
 from .graph import SketchGraph
 from .ids import fresh_id, need
@@ -35,6 +43,8 @@ def _same(a: Annotation, b: Annotation) -> bool:
         return a.at == b.at and set(a.between) == set(b.between)
     if isinstance(a, Parallel | EqualLength) and isinstance(b, type(a)):
         return set(a.edges) == set(b.edges)
+    if isinstance(a, SymmetryPlane) and isinstance(b, SymmetryPlane):
+        return set(a.midpoints_of) == set(b.midpoints_of)
     return a == b
 
 
@@ -86,6 +96,13 @@ def set_length(graph: SketchGraph, edge: str, length_mm: float | None) -> Sketch
     return annotate(graph, length)[0]
 
 
+def on_ground(graph: SketchGraph) -> frozenset[str]:
+    """The vertices that are said to stand on the ground."""
+    return frozenset(
+        v for a in graph.annotations.values() if isinstance(a, Ground) for v in a.vertices
+    )
+
+
 def toggle_ground(graph: SketchGraph, vertices: Iterable[str]) -> SketchGraph:
     """The graph with vertices put on the ground, or taken off it where all of them were on it.
 
@@ -97,7 +114,7 @@ def toggle_ground(graph: SketchGraph, vertices: Iterable[str]) -> SketchGraph:
     named = tuple(dict.fromkeys(vertices))
     need(named, graph.vertices)
     grounds = {id_: a for id_, a in graph.annotations.items() if isinstance(a, Ground)}
-    on_it = {v for a in grounds.values() for v in a.vertices}
+    on_it = on_ground(graph)
     if on_it.issuperset(named):
         left = {id_: tuple(v for v in a.vertices if v not in named) for id_, a in grounds.items()}
     elif grounds:

@@ -112,6 +112,19 @@ def set_thickness(graph: SketchGraph, choice: Choice, thickness_mm: float | None
     return _with_face(graph, choice, lambda face: replace(face, thickness_mm=thickness_mm))
 
 
+def with_list(graph: SketchGraph, choice: Choice) -> SketchGraph:
+    """The graph with a face listed, and all others where none were listed.
+
+    Raises
+    ------
+    SketchError
+        Where it is no choice.
+    """
+    if graph.faces is not None and choice.id_ in graph.faces:
+        return graph
+    return _with_face(graph, choice, lambda face: face)
+
+
 def _with_face(graph: SketchGraph, choice: Choice, change: Callable[[Face], Face]) -> SketchGraph:
     """The graph with a face changed and listed.
 

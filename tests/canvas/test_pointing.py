@@ -2,19 +2,21 @@
 
 import math
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
 
 from incontext.solver import load_sketch, solve
+from incontext.solver.annotations import Parallel
 from incontext.solver.graph import SketchGraph
 from incontext.workbench.canvas.hit_testing import corner_at, edge_at, inside_box
 from incontext.workbench.canvas.lengths import exact_text, parse_length
+from incontext.workbench.canvas.loops import Quad, quad_around, quads
 from incontext.workbench.canvas.plane import foot, is_inside, line_crossing
 from incontext.workbench.canvas.preview import Selection
 from incontext.workbench.canvas.snapping import Lead, Snap, SnapKind, always, place, snap
 from incontext.workbench.canvas.solved import Solved
-from incontext.workbench.canvas.suggestions import corners_of, quad_around, quads
 
 SHELF = Path(__file__).parent.parent / "data" / "shelf.sketch.json"
 
@@ -67,7 +69,7 @@ def test_placing_splits_only_what_is_there(cross):
 
 def test_quadrilaterals_of_the_shelf_are_its_faces():
     shelf = load_sketch(SHELF)
-    loops = {frozenset(quad) for quad in quads(shelf)}
+    loops = {frozenset(quad.outline) for quad in quads(shelf)}
     drawn = {frozenset(face.loop) for face in shelf.faces.values()}
     assert drawn <= loops
     assert len(loops) == len(list(quads(shelf)))
@@ -78,13 +80,26 @@ def test_the_quadrilateral_with_the_nearest_middle_is_meant():
     for face in shelf.faces.values():
         us, vs = zip(*(shelf.vertices[v] for v in face.loop), strict=True)
         middle = (sum(us) / 4, sum(vs) / 4)
-        assert set(quad_around(shelf, middle)) == set(face.loop)
+        assert set(quad_around(shelf, middle).corners) == set(face.loop)
     assert quad_around(shelf, (0, 0)) is None
 
 
-def test_corners_of_a_quadrilateral_name_its_edges():
-    assert corners_of(("a", "b", "c", "d"))[0] == ("a", "d", "b")
-    assert corners_of(("a", "b", "c", "d"))[3] == ("d", "c", "a")
+def test_angles_of_a_quadrilateral_name_its_edges():
+    quad = Quad((("a", "b"), ("b", "c"), ("c", "m", "d"), ("d", "a")))
+    assert quad.angles == (("a", "d", "b"), ("b", "a", "c"), ("c", "b", "m"), ("d", "m", "a"))
+    assert quad.outline == ("a", "b", "c", "m", "d")
+
+
+def test_a_side_may_have_vertices_in_it():
+    vertices = {"a": (0, 0), "b": (100, 0), "c": (100, 100), "d": (0, 100), "m": (100, 50)}
+    loop = "abmcda"
+    edges = {f"e{k}": pair for k, pair in enumerate(pairwise(loop))}
+    plain = SketchGraph(vertices=vertices, edges=edges)
+    assert quad_around(plain, (50, 50)) is None
+    said = replace(plain, annotations={"a1": Parallel(("e1", "e2"))})
+    quad = quad_around(said, (50, 50))
+    assert set(quad.corners) == set("abcd")
+    assert set(quad.outline) == set("abcdm")
 
 
 def test_crossing_sides_and_diagonals_make_no_quadrilateral():

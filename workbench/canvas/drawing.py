@@ -142,11 +142,17 @@ class Drawing:
         return self._tool
 
     def use(self, name: str) -> None:
-        """Take another tool; what the old one had begun is finished where that makes sense."""
+        """Take another tool; what the old one had begun is finished where that makes sense.
+
+        One that is at work already is told so.
+        """
+        if name == self._tool.NAME:
+            self._tool.again()
+            self._listener.changed()
+            return
         self._tool.finish()
         self._tool.cancel()
-        if name != self._tool.NAME:
-            self.select(Selection())
+        self.select(Selection())
         self._tool = TOOLS[name](self)
         if self._pointer is not None:
             self._tool.move(self._pointer)

@@ -9,11 +9,14 @@ from .faces import LeaveOutTool, ThicknessTool
 from .ground import GroundTool
 from .length import LengthTool
 from .line import LineTool
+from .on_face import OnFaceTool
 from .parallel import ParallelTool
 from .rectangle import RectangleTool
 from .revolution import RevolutionTool
 from .right_angle import RightAngleTool
 from .select import SelectTool
+from .square import SquareTool
+from .symmetry_plane import SymmetryPlaneTool
 
 #: By name, in the toolbar's order.
 TOOLS: dict[str, type[Tool]] = {
@@ -22,12 +25,15 @@ TOOLS: dict[str, type[Tool]] = {
         SelectTool,
         LineTool,
         RectangleTool,
+        SquareTool,
         CircleTool,
         RevolutionTool,
         RightAngleTool,
         ParallelTool,
         EqualLengthTool,
         GroundTool,
+        SymmetryPlaneTool,
+        OnFaceTool,
         LengthTool,
         ThicknessTool,
         LeaveOutTool,

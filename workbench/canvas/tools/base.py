@@ -79,6 +79,9 @@ class Tool:
     def release(self, pointer: Pointer) -> None:
         """The left button goes up."""
 
+    def again(self) -> None:
+        """The tool's own key is pressed while it is at work."""
+
     def finish(self) -> None:
         """Done with what was begun."""
 

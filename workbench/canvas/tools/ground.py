@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ....solver.annotating import toggle_ground
-from ..hit_testing import inside_box, vertex_at
+from ..hit_testing import edge_at, inside_box, vertex_at
+from ..loops import quad_around
 from ..plane import Point
 from ..preview import Preview, Selection
 from .base import Pointer, Tool
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class GroundTool(Tool):
-    """Puts vertices on the ground and takes them off it, by click or box."""
+    """Puts vertices on the ground and takes them off it: by click, box, edge or whole loop."""
 
     NAME = "ground"
     KEY = "G"
@@ -30,7 +31,7 @@ class GroundTool(Tool):
     @property
     def hint(self) -> str:
         """See `Tool`."""
-        return "Click the vertices that stand on the ground, or drag a box around them"
+        return "Click what stands on the ground: vertices, edges, the middle of a face; or box them"
 
     def preview(self) -> Preview:
         """See `Tool`."""
@@ -38,34 +39,40 @@ class GroundTool(Tool):
 
     def press(self, pointer: Pointer) -> None:
         """See `Tool`."""
-        if self._pressed_at is not None:
-            # The release of the last press was lost: it ends the box.
-            return
-        if self._lit:
-            changed = toggle_ground(self.drawing.committed, self._lit)
-            self.drawing.commit(changed, "Mark ground")
-        else:
+        # A press while a box is drawn: its release was lost, and this one's ends it.
+        if self._pressed_at is None:
             self._pressed_at = pointer.point_px
-            self._box = (pointer.point_px, pointer.point_px)
 
     def move(self, pointer: Pointer) -> None:
         """See `Tool`."""
         graph = self.drawing.graph
-        if self._pressed_at is not None:
+        if self._pressed_at is None:
+            self._lit = self._meant(pointer)
+        elif self._box is not None or pointer.is_far_from(self._pressed_at):
             self._box = (self._pressed_at, pointer.point_px)
             self._lit = inside_box(graph, *self._box).vertices
-        else:
-            vertex = vertex_at(graph, pointer.point_px, 1.5 * pointer.reach_px)
-            self._lit = frozenset() if vertex is None else frozenset((vertex,))
+
+    def _meant(self, pointer: Pointer) -> frozenset[str]:
+        """The vertices of what is under the pointer."""
+        graph, reach = self.drawing.graph, pointer.reach_px
+        vertex = vertex_at(graph, pointer.point_px, 1.5 * reach)
+        if vertex is not None:
+            return frozenset((vertex,))
+        edge = edge_at(graph, pointer.point_px, 0.7 * reach)
+        if edge is not None:
+            return frozenset(graph.edges[edge])
+        quad = quad_around(graph, pointer.point_px)
+        return frozenset() if quad is None else frozenset(quad.outline)
 
     def release(self, pointer: Pointer) -> None:
         """See `Tool`."""
-        if self._pressed_at is not None:
-            self.move(pointer)
-            boxed = sorted(self._lit)
-            self.cancel()
-            if boxed:
-                self.drawing.commit(toggle_ground(self.drawing.committed, boxed), "Mark ground")
+        if self._pressed_at is None:
+            return
+        self.move(pointer)
+        chosen = sorted(self._lit & set(self.drawing.committed.vertices))
+        self.cancel()
+        if chosen:
+            self.drawing.commit(toggle_ground(self.drawing.committed, chosen), "Mark ground")
 
     def cancel(self) -> bool:
         """See `Tool`."""

@@ -56,6 +56,10 @@ class GroupTool(Tool):
         group = group if group in graph.annotations else None
         self.drawing.commit(set_group(graph, self.GROUP, there, group), self.WORDS)
 
+    def again(self) -> None:
+        """See `Tool`: done with this group."""
+        self.finish()
+
     def cancel(self) -> bool:
         """See `Tool`."""
         begun = bool(self._picked) or self._group is not None

@@ -9,8 +9,8 @@ from ....solver.annotations import RightAngle
 from ....solver.editing import delete
 from ....solver.graph import SketchGraph
 from ..hit_testing import Corner, corner_at
+from ..loops import quad_around
 from ..preview import Preview
-from ..suggestions import corners_of, quad_around
 from .base import Pointer, Tool
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ class RightAngleTool(Tool):
         graph = self.drawing.graph
         corner = corner_at(graph, pointer.point_px, CORNER_REACH * pointer.reach_px)
         quad = None if corner else quad_around(graph, pointer.point_px)
-        self._corners = (corner,) if corner else corners_of(quad) if quad else ()
+        self._corners = (corner,) if corner else quad.angles if quad else ()
 
     def press(self, pointer: Pointer) -> None:
         """See `Tool`."""

@@ -25,7 +25,9 @@ class Marks:
         The corner and the other ends of its two edges.
     equal_lengths, parallels : mapping of edge to count
     lengths, diameters, thicknesses : mapping of edge, circle or face to text
-    ground : frozenset of vertices
+    ground, on_face : frozenset of vertices
+    symmetry_planes : tuple of tuples of edges
+        The edges that each plane halves.
     """
 
     right_angles: dict[str, tuple[str, str, str]] = field(default_factory=dict)
@@ -35,6 +37,8 @@ class Marks:
     diameters: dict[str, str] = field(default_factory=dict)
     thicknesses: dict[str, str] = field(default_factory=dict)
     ground: frozenset[str] = frozenset()
+    on_face: frozenset[str] = frozenset()
+    symmetry_planes: tuple[tuple[str, ...], ...] = ()
 
 
 def marks_of(graph: SketchGraph) -> Marks:
@@ -55,6 +59,10 @@ def marks_of(graph: SketchGraph) -> Marks:
             if face.thickness_mm is not None
         },
         ground=frozenset(ground),
+        on_face=frozenset(a.vertex for a in graph.annotations_of("on_face").values()),
+        symmetry_planes=tuple(
+            a.midpoints_of for a in graph.annotations_of("symmetry_plane").values()
+        ),
     )
 
 

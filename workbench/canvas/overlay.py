@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING
 from ...solver.annotations import targets_of
 from . import style, symbols
 from .marks import Marks
+from .plane import middle
 from .plaques import paint_plaques
 from .qt import QtCore, QtGui
+from .symmetry import outline_of
 
 if TYPE_CHECKING:
     from ...solver.graph import SketchGraph
@@ -65,7 +67,9 @@ def paint(painter: QtGui.QPainter, scene: Scene) -> None:
     fine(painter, scene.rings, style.EDGE)
     _paint_edges(painter, scene)
     _paint_marks(painter, scene)
+    _paint_symmetry_planes(painter, scene)
     _paint_vertices(painter, scene)
+    _paint_touching(painter, scene)
     paint_plaques(painter, scene)
 
 
@@ -124,6 +128,26 @@ def _paint_marks(painter: QtGui.QPainter, scene: Scene) -> None:
     for edge, count in scene.marks.parallels.items():
         strokes += symbols.arrows(*scene.ends(edge), count, style.ARROW_PX, style.MARK_SPACING_PX)
     stroke(painter, strokes, style.ANNOTATION, style.SYMBOL_PX)
+
+
+def _paint_symmetry_planes(painter: QtGui.QPainter, scene: Scene) -> None:
+    """A dotted line around the middles of the edges that a plane halves, a diamond on each."""
+    for edges in scene.marks.symmetry_planes:
+        middles = [middle(scene.ends(e)) for e in edges]
+        fine(painter, [outline_of(middles)], style.SYMMETRY)
+        diamonds = [symbols.diamond(place, style.DIAMOND_PX) for place in middles]
+        stroke(painter, diamonds, style.SYMMETRY, style.SYMBOL_PX)
+
+
+def _paint_touching(painter: QtGui.QPainter, scene: Scene) -> None:
+    """A ring around vertices that touch a face."""
+    radius = 1.9 * style.VERTEX_RADIUS_PX
+    places = [scene.screen[v] for v in scene.marks.on_face]
+    rings = [
+        symbols.ellipse(((x - radius, y), (x + radius, y)), ((x, y - radius), (x, y + radius)))
+        for x, y in places
+    ]
+    stroke(painter, rings, style.ANNOTATION, style.SYMBOL_PX)
 
 
 def _paint_vertices(painter: QtGui.QPainter, scene: Scene) -> None:

@@ -121,7 +121,7 @@ def _snap(painter: QtGui.QPainter, snap: Snap, work: Work) -> None:
     cross = [((x - r, y - r), (x + r, y + r)), ((x - r, y + r), (x + r, y - r))]
     marks = {
         SnapKind.VERTEX: [ring],
-        SnapKind.AXIS_END: [((x - r, y), (x, y - r), (x + r, y), (x, y + r), (x - r, y))],
+        SnapKind.AXIS_END: [symbols.diamond((x, y), r)],
         SnapKind.MIDPOINT: [((x - r, y + r), (x, y - r), (x + r, y + r), (x - r, y + r))],
         SnapKind.EDGE: cross,
         SnapKind.CROSSING: [ring, *cross],

@@ -12,6 +12,7 @@ CASING = "#ffffff"
 CONSTRUCTION = "#8a4fbf"
 VERTEX = "#ffffff"
 GROUND = "#1f9d3a"
+SYMMETRY = "#12872b"
 HOVER = "#ffd21f"
 ANNOTATION = "#d8281c"
 SELECTED = "#00c2d1"
@@ -49,6 +50,7 @@ CONFLICT_PX = 12.0
 SNAP_PX = 7.0
 DOT_PX = 3.0
 GRIP_PX = 7.0
+DIAMOND_PX = 4.5
 FINE_PX = 1.3
 """Of lines that explain: guides, axes, the circles that a side's points stand for."""
 

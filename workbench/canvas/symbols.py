@@ -100,6 +100,12 @@ def beside(start: Point, end: Point, centre: Point, size: Point, distance_px: fl
     return (x - away * dy, y + away * dx)
 
 
+def diamond(place: Point, size_px: float) -> Stroke:
+    """A small diamond about a place."""
+    (x, y), r = place, size_px
+    return ((x - r, y), (x, y - r), (x + r, y), (x, y + r), (x - r, y))
+
+
 def ellipse(a: tuple[Point, Point], b: tuple[Point, Point], corners: int = 72) -> Stroke:
     """An ellipse as a closed stroke, from antipodal points on its two axes."""
     x, y = (a[0][0] + a[1][0]) / 2, (a[0][1] + a[1][1]) / 2

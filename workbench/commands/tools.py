@@ -72,7 +72,20 @@ class Rectangle(ToolCommand):
     ICON = "InContext_ToolRectangle"
     TOOL, KEY = "rectangle", "R"
     MENU_TEXT = "Rectangle"
-    TOOLTIP = "One drag makes four edges and four right angles; move the corners afterwards"
+    TOOLTIP = (
+        "One drag makes four edges and four right angles, in perspective once that is known; "
+        "move the corners afterwards"
+    )
+
+
+class Square(ToolCommand):
+    """Draw squares."""
+
+    NAME = "InContext_ToolSquare"
+    ICON = "InContext_ToolSquare"
+    TOOL, KEY = "square", "Q"
+    MENU_TEXT = "Square"
+    TOOLTIP = "As the rectangle, with four equal sides"
 
 
 class Circle(ToolCommand):
@@ -132,7 +145,27 @@ class Ground(ToolCommand):
     ICON = "InContext_ToolGround"
     TOOL, KEY = "ground", "G"
     MENU_TEXT = "Ground"
-    TOOLTIP = "Click the vertices that stand on the ground, or drag a box around them"
+    TOOLTIP = "Click vertices, edges or the middle of a face that stand on the ground, or box them"
+
+
+class SymmetryPlane(ToolCommand):
+    """Mark symmetry planes."""
+
+    NAME = "InContext_ToolSymmetryPlane"
+    ICON = "InContext_ToolSymmetryPlane"
+    TOOL, KEY = "symmetry_plane", "M"
+    MENU_TEXT = "Symmetry plane"
+    TOOLTIP = "Click the middle of an edge that the plane halves; what is hidden behind is added"
+
+
+class OnFace(ToolCommand):
+    """Mark vertices that touch a face."""
+
+    NAME = "InContext_ToolOnFace"
+    ICON = "InContext_ToolOnFace"
+    TOOL, KEY = "on_face", "H"
+    MENU_TEXT = "On face"
+    TOOLTIP = "Click a vertex, then the middle of the face that it touches"
 
 
 class Length(ToolCommand):
@@ -169,12 +202,15 @@ TOOL_COMMANDS: tuple[type[ToolCommand], ...] = (
     Select,
     Line,
     Rectangle,
+    Square,
     Circle,
     Revolution,
     RightAngle,
     Parallel,
     EqualLength,
     Ground,
+    SymmetryPlane,
+    OnFace,
     Length,
     Thickness,
     LeaveOut,

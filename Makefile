@@ -1,7 +1,9 @@
 # Modeling in Context: one command each.
 #
 #   make run      FreeCAD with the bookshelf example; without a display, its files in build/bookshelf
-#   make test     everything that is checked: lint, types, tests in Python and inside FreeCAD
+#   make test     lint, types, tests in Python and inside this system's FreeCAD
+#   make test-matrix  the tests inside FreeCAD 0.20, 1.0 and 1.1; the newer two are fetched once
+#   make test-all     both, and the solver with the oldest numpy and scipy: what CI runs
 #   make setup    what the two need: packages of Debian, and .venv
 #   make bench    the solver beside the paper's, Lipson's and SolveSpace's: one table
 #   make lint     make types     make format     make clean
@@ -16,6 +18,7 @@ READY := $(VENV)/.ready
 
 RUN_PACKAGES := freecad python3-venv
 TEST_PACKAGES := xvfb xauth openbox xdotool imagemagick
+MATRIX_PACKAGES := debootstrap python3-numpy python3-scipy
 SUDO := $(if $(filter-out 0,$(shell id -u)),sudo)
 
 # Which of some packages of Debian are not installed.
@@ -29,13 +32,19 @@ define apt_install
 		--yes --no-install-recommends $(call missing,$(1)))
 endef
 
-.PHONY: run test setup bench lint types format clean
+.PHONY: run test test-matrix test-all setup bench lint types format clean
 
 run: $(READY)
 	@$(PYTHON) -m incontext.workbench.launch
 
 test: $(READY) build/.test-packages
 	@$(PYTHON) tests/stages.py
+
+test-matrix: $(READY) build/.test-packages build/.matrix-packages
+	@$(PYTHON) tests/stages.py console window freecad_1_0 freecad_1_1
+
+test-all: $(READY) build/.test-packages build/.matrix-packages
+	@$(PYTHON) tests/stages.py all
 
 setup: $(READY) build/.test-packages
 
@@ -62,6 +71,10 @@ build/.run-packages:
 
 build/.test-packages: build/.run-packages
 	$(call apt_install,$(TEST_PACKAGES))
+	@mkdir -p $(@D) && touch $@
+
+build/.matrix-packages: build/.test-packages
+	$(call apt_install,$(MATRIX_PACKAGES))
 	@mkdir -p $(@D) && touch $@
 
 # The packages of Debian come first, but are no reason to make the environment again.

@@ -1,7 +1,8 @@
 """Runs every check in stages, names each, and fails if one fails or finds nothing to run.
 
-python tests/stages.py            all stages
-python tests/stages.py lint types some of them
+python tests/stages.py            the stages of `make test`
+python tests/stages.py lint types some of all stages
+python tests/stages.py all        all, with other versions of FreeCAD, Python, numpy and scipy
 """
 
 from __future__ import annotations
@@ -23,6 +24,9 @@ PYTEST = ["-p", "no:cacheprovider", "--quiet"]
 #: FreeCAD's own import hooks are older than Python's present way.
 FREECADS_OWN = ["-W", "ignore::ImportWarning"]
 INSIDE = ["tests/freecad", "tests/canvas"]
+#: The oldest numpy and scipy that the solver is for are those of this system's own Python.
+SYSTEM_PYTHON = "/usr/bin/python3"
+TEST_TOOLS = ("pytest", "hypothesis")
 
 
 def lint() -> int:
@@ -33,11 +37,7 @@ def lint() -> int:
 def types() -> int:
     """Types of the solver and of fabrication."""
     # mypy does not see through an editable install's import hook: show it a folder by our name.
-    path = ROOT / "build" / "types"
-    path.mkdir(parents=True, exist_ok=True)
-    (path / "incontext").unlink(missing_ok=True)
-    (path / "incontext").symlink_to(ROOT, target_is_directory=True)
-    return _python("mypy", environment={"MYPYPATH": str(path)})
+    return _python("mypy", environment={"MYPYPATH": str(_by_our_name())})
 
 
 def python() -> int:
@@ -55,8 +55,32 @@ def window() -> int:
     return _inside(window=True)
 
 
+def oldest() -> int:
+    """Tests of the solver with this system's own numpy and scipy."""
+    tools = ROOT / "build" / "test-tools"
+    if not (tools / "pytest").is_dir():
+        packages = ("--target", str(tools), *TEST_TOOLS)
+        if _python("pip", "install", "-qq", "--disable-pip-version-check", *packages):
+            return 1
+    environment = {**os.environ, "PYTHONPATH": f"{_by_our_name()}:{tools}"}
+    command = [SYSTEM_PYTHON, "-m", "pytest", *PYTEST, *_solver_tests()]
+    return subprocess.run(command, cwd=ROOT, env=environment, check=False).returncode
+
+
+def freecad_1_0() -> int:
+    """Tests inside FreeCAD 1.0, and those in plain Python with the Python it has."""
+    return _in_root("1.0")
+
+
+def freecad_1_1() -> int:
+    """Tests inside FreeCAD 1.1, and those in plain Python with the Python it has."""
+    return _in_root("1.1")
+
+
+#: The stages of `make test`.
+USUAL: tuple[Callable[[], int], ...] = (lint, types, python, console, window)
 STAGES: dict[str, Callable[[], int]] = {
-    stage.__name__: stage for stage in (lint, types, python, console, window)
+    stage.__name__: stage for stage in (*USUAL, oldest, freecad_1_0, freecad_1_1)
 }
 
 
@@ -65,6 +89,31 @@ def _python(module: str, *arguments: str, environment: Mapping[str, str] | None 
     return subprocess.run(
         command, cwd=ROOT, env={**os.environ, **(environment or {})}, check=False
     ).returncode
+
+
+def _by_our_name() -> Path:
+    """A folder in which this checkout is called `incontext`."""
+    path = ROOT / "build" / "types"
+    path.mkdir(parents=True, exist_ok=True)
+    (path / "incontext").unlink(missing_ok=True)
+    (path / "incontext").symlink_to(ROOT, target_is_directory=True)
+    return path
+
+
+def _solver_tests() -> list[str]:
+    """The test files that concern the solver alone."""
+    others = ("workbench", "trimesh", "slvs")
+    files = sorted((ROOT / "tests").glob("test_*.py"))
+    texts = {file: file.read_text(encoding="utf-8") for file in files}
+    return [str(file) for file, text in texts.items() if not any(o in text for o in others)]
+
+
+def _in_root(version: str) -> int:
+    """The tests in another FreeCAD; that it cannot be had is a failure, told in words."""
+    command = [sys.executable, "tests/roots.py", "run", version, "python3", "tests/stages.py"]
+    as_root = [] if os.geteuid() == 0 else ["sudo", "--preserve-env"]
+    stages = ("python", "console", "window")
+    return subprocess.run([*as_root, *command, *stages], cwd=ROOT, check=False).returncode
 
 
 def _inside(*, window: bool) -> int:
@@ -87,12 +136,13 @@ def _inside(*, window: bool) -> int:
 
 def main(names: list[str]) -> int:
     """Run the named stages, or all, each whatever became of the others."""
+    names = list(STAGES) if names == ["all"] else names or [stage.__name__ for stage in USUAL]
     unknown = [name for name in names if name not in STAGES]
     if unknown:
         print(f"no such stage: {', '.join(unknown)}; there are: {', '.join(STAGES)}")
         return 2
     failed = []
-    for name in names or STAGES:
+    for name in names:
         print(f"== {name}: {STAGES[name].__doc__}", flush=True)
         if STAGES[name]() != 0:
             failed.append(name)

@@ -10,8 +10,8 @@ root
     person's cache folder (INCONTEXT_ROOTS names another one) and made again when what it was
     made from has changed.
 enter
-    Run in a root: by chroot, with /proc, /dev and an empty /tmp mounted for that one run only.
-    Where the machine refuses mounts it is done without them.
+    Run in a root: by chroot, with /proc, /dev and an empty /tmp mounted for that one run only,
+    and tests without a network. Where the machine refuses mounts it is done without all that.
 """
 
 from __future__ import annotations
@@ -130,7 +130,8 @@ def run(root: Root, command: Sequence[str]) -> int:
         }
         words = [f"{name}={value}" for name, value in settings.items()]
         script = f'cd "{inside}" && exec "$@"'
-        entered = [*_enter(root), "env", "-i", *words, "sh", "-c", script, "sh", *command]
+        # Without a network, names of X servers outside cannot be mixed up with those inside.
+        entered = [*_enter(root, "--net"), "env", "-i", *words, "sh", "-c", script, "sh", *command]
         return subprocess.run(entered, check=False).returncode
 
 
@@ -261,11 +262,11 @@ def _platforms() -> list[str]:
     ]
 
 
-def _enter(root: Root) -> list[str]:
-    """What stands before a command that runs in a root."""
+def _enter(root: Root, *more: str) -> list[str]:
+    """What stands before a command that runs in a root; `more` is for `unshare`."""
     folder = str(root.folder)
     if _may_mount():
-        return ["unshare", "--mount", "sh", "-c", f"{MOUNT.strip()} && {ENTER}", folder]
+        return ["unshare", "--mount", *more, "sh", "-c", f"{MOUNT.strip()} && {ENTER}", folder]
     _stand_in_for_proc(root.folder)
     return ["sh", "-c", ENTER, folder]
 

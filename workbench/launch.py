@@ -28,12 +28,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 _WINDOW_NAMES = ("freecad", "FreeCAD")
 _CONSOLE_NAMES = ("freecadcmd", "FreeCADCmd", "freecadcmd-python3")
-# Known by its file alone: a name of the other kind clashes with screens that lie in other roots.
-_SCREEN = [
-    "xvfb-run",
-    "--auto-servernum",
-    "--server-args=-screen 0 1600x900x24 -dpi 96 -nolisten local",
-]
+_SCREEN = ["xvfb-run", "--auto-servernum", "--server-args=-screen 0 1600x900x24 -dpi 96"]
 
 
 class LaunchError(RuntimeError):

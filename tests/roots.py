@@ -10,8 +10,8 @@ root
     person's cache folder (INCONTEXT_ROOTS names another one) and made again when what it was
     made from has changed.
 enter
-    Run in a root: by chroot, with /proc, /dev and an empty /tmp mounted for that one run only,
-    and tests without a network. Where the machine refuses mounts it is done without all that.
+    Run in a root: by chroot, with /proc, /dev and an empty /tmp mounted for that one run only.
+    Where the machine refuses mounts it is done without them.
 """
 
 from __future__ import annotations
@@ -34,8 +34,6 @@ CHECKOUT = Path(__file__).resolve().parent.parent
 #: What a root has besides a minimal Debian; a change makes the roots again.
 PACKAGES = (
     "freecad",
-    "xvfb",
-    "xauth",
     "openbox",
     "xdotool",
     "imagemagick",
@@ -46,6 +44,7 @@ SOURCE_CHECKERS = ("ruff", "mypy")
 SITE = "/opt/incontext-packages"
 #: The script that debootstrap uses for releases it has never heard of.
 DEBOOTSTRAP_SCRIPT = "/usr/share/debootstrap/scripts/sid"
+SCREEN = ("-screen", "0", "1600x900x24", "-dpi", "96")
 ATTEMPTS = 3
 PAUSE_S = 20.0
 NEEDED_GB = 6
@@ -115,14 +114,18 @@ def run(root: Root, command: Sequence[str]) -> int:
 
     The checkout is the package `incontext` there.
     """
-    with tempfile.TemporaryDirectory(prefix="incontext-", dir=root.folder / "srv") as place:
+    with (
+        tempfile.TemporaryDirectory(prefix="incontext-", dir=root.folder / "srv") as place,
+        _screen() as display,
+    ):
         copy = Path(place) / "incontext"
         shutil.copytree(CHECKOUT, copy, symlinks=True, ignore=shutil.ignore_patterns(*NOT_COPIED))
         inside = f"/{copy.relative_to(root.folder)}"
         settings = {
+            "DISPLAY": display,
             "HOME": "/root",
             "INCONTEXT_PACKAGES": SITE,
-            "INCONTEXT_FREECAD": root.freecad,
+            "INCONTEXT_ROOT": root.freecad,
             "LANG": "C.UTF-8",
             "PATH": "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin",
             "PYTHONDONTWRITEBYTECODE": "1",
@@ -130,9 +133,27 @@ def run(root: Root, command: Sequence[str]) -> int:
         }
         words = [f"{name}={value}" for name, value in settings.items()]
         script = f'cd "{inside}" && exec "$@"'
-        # Without a network, names of X servers outside cannot be mixed up with those inside.
-        entered = [*_enter(root, "--net"), "env", "-i", *words, "sh", "-c", script, "sh", *command]
+        entered = [*_enter(root), "env", "-i", *words, "sh", "-c", script, "sh", *command]
         return subprocess.run(entered, check=False).returncode
+
+
+@contextlib.contextmanager
+def _screen() -> Iterator[str]:
+    """An X server of this system for a run in a root: Debian forky's own loses replies."""
+    readable, writable = os.pipe()
+    command = ["Xvfb", "-displayfd", str(writable), "-ac", *SCREEN]
+    quiet = subprocess.DEVNULL
+    server = subprocess.Popen(command, pass_fds=(writable,), stdout=quiet, stderr=quiet)
+    os.close(writable)
+    try:
+        with os.fdopen(readable) as told:
+            number = told.readline().strip()
+        if not number:
+            raise RootError("Xvfb did not start; try: make setup")
+        yield f":{number}"
+    finally:
+        server.terminate()
+        server.wait()
 
 
 def _system_recipe(root: Root) -> str:
@@ -262,11 +283,11 @@ def _platforms() -> list[str]:
     ]
 
 
-def _enter(root: Root, *more: str) -> list[str]:
-    """What stands before a command that runs in a root; `more` is for `unshare`."""
+def _enter(root: Root) -> list[str]:
+    """What stands before a command that runs in a root."""
     folder = str(root.folder)
     if _may_mount():
-        return ["unshare", "--mount", *more, "sh", "-c", f"{MOUNT.strip()} && {ENTER}", folder]
+        return ["unshare", "--mount", "sh", "-c", f"{MOUNT.strip()} && {ENTER}", folder]
     _stand_in_for_proc(root.folder)
     return ["sh", "-c", ENTER, folder]
 

@@ -124,7 +124,8 @@ def _inside(*, window: bool) -> int:
             home=Path(home),
             arguments=[*PYTEST, *FREECADS_OWN, "--rootdir", str(ROOT), *folders],
             window=window,
-            own_screen=window,
+            # In a root there is a screen already.
+            own_screen=window and "INCONTEXT_ROOT" not in os.environ,
             addons=(DECOY,),
         )
         try:

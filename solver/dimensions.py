@@ -18,10 +18,10 @@ from types import MappingProxyType
 
 import numpy as np
 
+from .annotating import set_length
 from .annotations import Diameter, EqualLength, Length
 from .graph import SketchGraph
 from .rounds import set_diameter
-from .annotating import set_length
 from .solution import Solution
 from .structure import Structure, build_structure
 from .union_find import UnionFind
@@ -63,9 +63,7 @@ def tied_edges(graph: SketchGraph, edge: str) -> tuple[str, ...]:
     return tuple(id_ for id_, number in numbers.items() if sets.find(number) == found)
 
 
-def _spans(
-    graph: SketchGraph, structure: Structure
-) -> list[tuple[tuple[int, int] | None, ...]]:
+def _spans(graph: SketchGraph, structure: Structure) -> list[tuple[tuple[int, int] | None, ...]]:
     """The shared coordinates between which each edge runs, along each axis; None where equal."""
     index = {v: i for i, v in enumerate(graph.vertices)}
     spans = []

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from .. import host
 from ..problems import in_words, known_problems
 from . import pipeline
+from .dimensions import driven_text, is_dimension, show_dimensions, take_edit
 from .properties import OUTCOME, Editor, Property, fail, set_outcome
 from .proxy import Proxy, is_of_type
 
@@ -47,11 +48,18 @@ class LiftedModel(Proxy):
             return
         _show(obj, solution)
 
+    def onChanged(self, obj: Any, name: str) -> None:  # noqa: N802  FreeCAD's name
+        """A typed dimension goes into the sketch."""
+        if is_dimension(name):
+            take_edit(obj, name)
+
 
 def _show(obj: Any, solution: Solution) -> None:
     from .shapes import solution_shape
 
-    obj.Shape = solution_shape(solution, pipeline.graph_of(obj.PhotoSketch.Sketch))
+    graph = pipeline.graph_of(driven_text(obj))
+    obj.Shape = solution_shape(solution, graph)
+    show_dimensions(obj, graph, solution)
     obj.ScaleAssumed = bool(solution.scale_assumed)
     set_outcome(obj, solution.status.value, solution.message)
 
@@ -87,4 +95,4 @@ def is_lifted_model(obj: Any) -> bool:
 
 def solution_of(obj: Any) -> Solution:
     """The solution behind a lifted model; raises SketchError where its text is no sketch."""
-    return pipeline.solution_of(obj.PhotoSketch.Sketch)
+    return pipeline.solution_of(driven_text(obj))

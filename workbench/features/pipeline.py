@@ -30,6 +30,18 @@ def graph_of(sketch_text: str) -> SketchGraph:
     return sketch_from_text(sketch_text)
 
 
+@lru_cache(maxsize=REMEMBERED)
+def resized_text(sketch_text: str, sizes_mm: tuple[tuple[str, float], ...]) -> str:
+    """The sketch's text with other sizes said of some edges and circles; raises SketchError."""
+    from ...solver.dimensions import set_size
+    from ...solver.serialise import sketch_to_text
+
+    graph = graph_of(sketch_text)
+    for id_, size_mm in sizes_mm:
+        graph = set_size(graph, id_, size_mm)
+    return sketch_to_text(graph)
+
+
 #: Solutions by the text of their sketch, the oldest first.
 _solutions: dict[str, Solution] = {}
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from .. import host
 from ..problems import in_words, known_problems
 from . import pipeline
+from .dimensions import driven_text
 from .properties import OUTCOME, Editor, Property, fail, set_outcome
 from .proxy import Proxy, is_of_type
 
@@ -114,7 +115,7 @@ def settings_of(obj: Any, *, with_kerf: bool = True) -> PlateSettings:
 def plates_of(obj: Any) -> tuple[Any, ...]:
     """The plates of a plate set; raises SketchError or FabricationError."""
     settings_of(obj)  # a kerf out of range is said here, though no plate depends on it
-    text = obj.LiftedModel.PhotoSketch.Sketch
+    text = driven_text(obj.LiftedModel)
     return pipeline.plates_of(text, settings_of(obj, with_kerf=False))
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from .. import host
 from ..problems import in_words, known_problems
 from . import pipeline
+from .dimensions import driven_text
 from .properties import OUTCOME, Property, fail, set_outcome
 from .proxy import Proxy, is_of_type
 
@@ -45,7 +46,7 @@ class ShelledSolid(Proxy):
             set_outcome(obj, "waiting", words)
             return
         try:
-            text = pipeline.shell_of(obj.LiftedModel.PhotoSketch.Sketch, settings_of(obj))
+            text = pipeline.shell_of(driven_text(obj.LiftedModel), settings_of(obj))
         except known_problems() as error:
             fail(obj, "not_made", in_words(error))
             return

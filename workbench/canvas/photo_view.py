@@ -11,7 +11,7 @@ screen position
 from __future__ import annotations
 
 from . import style
-from .qt import QtCore, QtGui
+from .qt import QtCore, QtGui, position_of
 
 _Qt = QtCore.Qt
 
@@ -102,14 +102,14 @@ class PhotoView(QtGui.QGraphicsView):
         """Take hold of the photo."""
         left_pans = event.button() == _Qt.LeftButton and self._space_held
         if event.button() == _Qt.MiddleButton or left_pans:
-            self._pan_from = event.pos()
+            self._pan_from = position_of(event)
             self.show_cursor()
         event.accept()
 
     def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:  # noqa: N802
         """Pan."""
         if self._pan_from is not None:
-            self._pan_to(event.pos())
+            self._pan_to(position_of(event))
         # Qt zooms at the last place that it saw the pointer.
         super().mouseMoveEvent(event)
 

@@ -13,7 +13,7 @@ from .lifted import LiftedView
 from .marks import Marks, marks_of
 from .photo_view import PhotoView
 from .preview import Selection
-from .qt import QtCore, QtGui
+from .qt import QtCore, QtGui, position_of
 from .questions import Question
 from .tools import KEYS
 from .tools.base import Pointer
@@ -220,7 +220,7 @@ class SketchView(PhotoView):
         return _Qt.SizeAllCursor if tool.can_move else _Qt.CrossCursor if tool.CROSS else shape
 
     def _pointer(self, event: QtGui.QMouseEvent) -> Pointer:
-        point = self.mapToScene(event.pos())
+        point = self.mapToScene(position_of(event))
         free = bool(event.modifiers() & _Qt.ControlModifier)
         adding = free or bool(event.modifiers() & _Qt.ShiftModifier)
         return Pointer((point.x(), point.y()), style.REACH_PX / self.zoom, adding, free)

@@ -1,4 +1,4 @@
-"""For all tests: steady examples, and Qt loaded before warnings are errors."""
+"""For all tests: steady examples, and FreeCAD's own modules loaded before warnings are errors."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ settings.register_profile(
 settings.load_profile("steady")
 
 if importlib.util.find_spec("FreeCAD") is not None:
-    # PySide2 on Python 3.13 warns while it loads, and crashes where that raises.
+    # PySide2 and pivy on Python 3.13 warn while they load, and crash where that raises.
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        importlib.import_module("PySide.QtCore")
-        importlib.import_module("PySide.QtGui")
+        for name in ("PySide.QtCore", "PySide.QtGui", "pivy.coin"):
+            importlib.import_module(name)

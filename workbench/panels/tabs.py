@@ -70,6 +70,8 @@ def _add_to_window(controller: SketchController) -> None:
     window = FreeCADGui.getMainWindow()
     if hasattr(window, "addWindow"):
         window.addWindow(_MdiView(controller))
+        # FreeCAD 1.1 gives the keys to its own frame whenever a click activates the tab.
+        controller.tab.parentWidget().setFocusProxy(controller.tab.view)
     else:
         # FreeCAD 0.20 has no views written in Python, only Qt's own subwindows.
         subwindow = mdi_area().addSubWindow(controller.tab)

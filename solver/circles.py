@@ -52,6 +52,8 @@ class DrawnCircles:
 
 def drawn_circles(graph: SketchGraph, unit_px: float, traced_weight: float) -> DrawnCircles:
     """The circles of a graph in its order."""
+    if not graph.circles:
+        return _NONE
     points = np.array([[*c.a, *c.b] for c in graph.circles.values()], dtype=float)
     points = (points.reshape(-1, 4, 2) - np.array(graph.principal_point_px)) / unit_px
     centres = points.mean(axis=1)
@@ -67,6 +69,15 @@ def drawn_circles(graph: SketchGraph, unit_px: float, traced_weight: float) -> D
     traced = set(graph.construction)
     weights = np.array([traced_weight if c in traced else 1.0 for c in graph.circles])
     return DrawnCircles(centres, semi, directions, supports, WEIGHT * weights)
+
+
+_NONE = DrawnCircles(
+    np.zeros((0, 2)),
+    np.zeros((0, 2, 2)),
+    np.zeros((0, N_TANGENTS, 2)),
+    np.zeros((0, N_TANGENTS)),
+    np.zeros(0),
+)
 
 
 def flat_circles(graph: SketchGraph) -> tuple[str, ...]:

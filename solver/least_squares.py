@@ -152,11 +152,12 @@ def _descend(
     rho = 0.0 if phase.last else phase.rho
     if phase.last:
         x = objective.restore(x)
-    at = objective.evaluate(x)
+    at = None
     cost = objective.merit(x, rho)
     for iteration in range(phase.budget):
         if stop is not None and stop():
             return x, iteration, False
+        at = at or objective.evaluate(x)
         step = _step(at, phase.rho, mu)
         size = np.inf if step is None else float(np.abs(step).max(initial=0.0))
         moved = None if step is None else objective.retract(x, step)
@@ -165,8 +166,7 @@ def _descend(
         new_cost = np.inf if moved is None else objective.merit(moved, rho)
         if moved is not None and new_cost <= cost * (1 + 1e-14) + 1e-32:
             gain = cost - new_cost
-            x, cost = moved, new_cost
-            at = objective.evaluate(x)
+            x, cost, at = moved, new_cost, None
             mu = max(mu / 10, 1e-12)
             if size < 1e-12 or gain <= phase.enough * cost:
                 return x, iteration + 1, True

@@ -259,12 +259,14 @@ def _leftover_planes(
     graph: SketchGraph, topology: Topology, structure: Structure
 ) -> Iterator[_Item]:
     """Vertices that have to lie in one plane: faces, what touches them, a slanted ground."""
+    grounds = topology.by_kind["ground"] if structure.vertical is None else ()
+    if not graph.faces and not grounds:
+        return
     planes = _Planes(graph, topology, structure)
     for id_, a in topology.by_kind["on_face"]:
         if graph.faces and a.face in graph.faces:
             yield from planes.of(id_, graph.faces[a.face].loop, [a.vertex])
-    grounds = topology.by_kind["ground"]
-    if grounds and structure.vertical is None:
+    if grounds:
         vertices = list(dict.fromkeys(v for _, a in grounds for v in a.vertices))
         yield from planes.of(grounds[0][0], tuple(vertices), vertices)
     for id_, face in (graph.faces or {}).items():

@@ -35,6 +35,8 @@ def profile_vertices(graph: SketchGraph) -> tuple[str, ...]:
 
 def without_profiles(graph: SketchGraph) -> SketchGraph:
     """The graph that is solved first: profiles follow from the circles afterwards."""
+    if not graph.revolutions:
+        return graph
     profile = set(profile_vertices(graph))
     if not profile:
         return graph

@@ -19,6 +19,7 @@ import numpy as np
 
 from .annotations import SymmetryPlane
 from .graph import Face, SketchGraph
+from .topology import topology_of
 from .values import Array
 
 #: A mirror image this near (in parts of the size) to a drawn vertex has that one as its partner.
@@ -45,9 +46,8 @@ def mirrored(graph: SketchGraph, drawn: Geometry) -> Geometry:
         The solved geometry.
     """
     geometry = drawn
-    for id_, annotation in graph.annotations.items():
-        if isinstance(annotation, SymmetryPlane):
-            geometry = _mirror(geometry, id_, *_plane(annotation, graph, drawn.vertices))
+    for id_, annotation in topology_of(graph).by_kind["symmetry_plane"]:
+        geometry = _mirror(geometry, id_, *_plane(annotation, graph, drawn.vertices))
     return geometry
 
 

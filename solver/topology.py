@@ -20,7 +20,7 @@ import numpy as np
 
 from .annotations import ANNOTATIONS, Annotation
 from .graph import Face, Revolution, SketchGraph
-from .values import IntArray
+from .values import IntArray, kept
 
 #: Topologies that are remembered: a few sketches, each with some edits.
 MAX_KEPT = 16
@@ -61,6 +61,7 @@ class Topology:
     ground: IntArray
 
 
+@kept
 def topology_of(graph: SketchGraph) -> Topology:
     """The topology of a graph; the same object for graphs that differ in positions only."""
     key = (

@@ -10,13 +10,12 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
 
-from .camera import Camera
 from .circles import flat_circles
 from .diagnosis import (
     Freedoms,
@@ -32,20 +31,17 @@ from .full import EXIF_LOG_SIGMA, FocalPrior, FullProblem, Pose
 from .graph import SketchGraph
 from .initial import USUAL_LOG_FOCAL, Start, lift_linear, starts
 from .least_squares import ENOUGH, Minimum, minimise
+from .placed import put_in_world
 from .problem import Problem, build_problem
 from .residuals import annotation_residuals
-from .revolution import in_side_plane, without_profiles
-from .solution import Report, Solution, SolvedCircle, Status
+from .revolution import without_profiles
+from .solution import Report, Solution, Status
 from .structure import Structure, build_structure
 from .symmetry import Geometry, mirrored
 from .values import Array
 from .world import (
-    Lifted,
-    Placement,
     camera_above_ground,
     ground_indices,
-    place,
-    up_direction,
 )
 
 #: Views that are carried on to the full step.
@@ -55,6 +51,8 @@ TRIAL_ITERATIONS = 14
 TRIAL_ENOUGH = 1e-3
 MAX_FINISHED = 2
 MAX_ITERATIONS = 100
+#: Nothing is left to gain below this: a vertex is met to 1e-13 of the photo.
+EXACT_COST = 1e-26
 #: A view that in so many more iterations gains less than this part of its distance to the best is
 #: not carried on.
 REACH = 0.25
@@ -167,15 +165,16 @@ def _lift(graph: SketchGraph, structure: Structure, stop: Stop | None) -> _Lifte
     is_prior = known is not None and problem.camera is None
     prior = FocalPrior(known, EXIF_LOG_SIGMA) if known is not None and is_prior else None
     best = _best(graph, problem, prior, stop)
-    if known is None and (best is None or _unsure_of_focal(best)):
+    if known is None and (best is None or is_unsure_of_focal(best.full, best.minimum.x)):
         usual = replace(problem, log_focal_prior=USUAL_LOG_FOCAL)
         assumed = _best(graph, usual, FocalPrior(USUAL_LOG_FOCAL, USUAL_FOCAL_SIGMA), stop)
         best = replace(assumed, focal_assumed=True) if assumed is not None else best
     return best
 
 
-def _unsure_of_focal(lifted: _Lifted) -> bool:
-    return focal_sigma(lifted.full, lifted.minimum.x) > UNSURE_FOCAL_SIGMA
+def is_unsure_of_focal(full: FullProblem, pose: Pose) -> bool:
+    """Whether the drawing does not tell the focal length."""
+    return focal_sigma(full, pose) > UNSURE_FOCAL_SIGMA
 
 
 def _best(
@@ -209,7 +208,7 @@ def _best(
 def _finish(t: _Lifted, carry_on: Callable[[Pose], _Lifted], least: float) -> _Lifted:
     """Go on to the minimum, as long as the least cost known so far seems within reach."""
     used = t.minimum.iterations
-    while used < MAX_ITERATIONS:
+    while used < MAX_ITERATIONS and t.minimum.cost > EXACT_COST:
         before = t.minimum.cost
         t = carry_on(t.minimum.x)
         used += t.minimum.iterations
@@ -266,15 +265,9 @@ def _initial_pose(problem: Problem, start: Start) -> Pose | None:
 
 
 def _describe(graph: SketchGraph, core: SketchGraph, lifted: _Lifted) -> Solution:
-    pose, problem = lifted.minimum.x, lifted.problem
-    shape = _shape(graph, core, lifted)
-    placement = place(graph, core, problem, pose, shape)
-    vertices = placement.all_to_world(shape.vertices)
-    circles = {
-        c: SolvedCircle(x, placement.scale * shape.radii[c])
-        for c, x in placement.all_to_world(shape.centres).items()
-    }
-    camera = _camera(graph, problem, pose, placement)
+    pose = lifted.minimum.x
+    placed = put_in_world(graph, core, lifted.problem, pose)
+    vertices, circles = placed.vertices, placed.circles
     geometry, on_faces = _with_copies(graph, vertices)
     residuals = annotation_residuals(graph, vertices, geometry.faces, circles)
     open_ = freedoms(lifted.full, pose, [*core.vertices, *core.circles])
@@ -289,49 +282,20 @@ def _describe(graph: SketchGraph, core: SketchGraph, lifted: _Lifted) -> Solutio
         geometry.edges,
         geometry.faces,
         circles,
-        camera,
-        placement.scale_assumed,
+        placed.camera,
+        placed.scale_assumed,
         Report(
             degrees_of_freedom=open_.count,
             loose=open_.loose,
             residuals=residuals,
-            reprojection_px=_reprojection(graph, camera, vertices),
+            reprojection_px=placed.reprojection_px(graph),
             conflicts=conflicts,
             iterations=lifted.minimum.iterations,
         ),
     )
 
 
-def _shape(graph: SketchGraph, core: SketchGraph, lifted: _Lifted) -> Lifted:
-    """The shape in object axes, profiles included."""
-    pose, problem = lifted.minimum.x, lifted.problem
-    c = lifted.full.positions(pose)
-    vertices = dict(zip(core.vertices, c, strict=False))
-    centres = dict(zip(core.circles, c[len(core.vertices) :], strict=True))
-    radii = dict(zip(core.circles, pose.g[problem.structure.radius].tolist(), strict=True))
-    up = up_direction(core, problem, pose)
-    for revolution in graph.revolutions.values():
-        missing = [v for v in revolution.profile if v not in core.vertices]
-        pixels = np.array([graph.vertices[v] for v in missing]).reshape(-1, 2)
-        seen = (pixels - np.array(graph.principal_point_px)) / problem.px_per_unit
-        in_cam = np.hstack([seen / np.exp(pose.log_focal), np.ones((len(seen), 1))])
-        side = in_side_plane(in_cam @ pose.R, centres[revolution.ground], up)
-        vertices |= dict(zip(missing, side, strict=True))
-    # In the sketch's own order.
-    return Lifted({v: vertices[v] for v in graph.vertices}, centres, radii)
-
-
-def _reprojection(
-    graph: SketchGraph, camera: Camera, vertices: dict[str, Array]
-) -> dict[str, float]:
-    if not vertices:
-        return {}
-    offsets = camera.project(np.array(list(vertices.values())))
-    offsets = offsets - np.array([graph.vertices[v] for v in vertices])
-    return dict(zip(vertices, np.linalg.norm(offsets, axis=1).tolist(), strict=True))
-
-
-def _with_copies(graph: SketchGraph, vertices: dict[str, Array]) -> tuple[Geometry, str]:
+def _with_copies(graph: SketchGraph, vertices: Mapping[str, Array]) -> tuple[Geometry, str]:
     """The geometry with its mirrored copies and its faces, and what to say of them."""
     whole = mirrored(graph, Geometry(vertices, graph.edges, graph.faces or {}))
     if graph.faces is not None:
@@ -342,18 +306,6 @@ def _with_copies(graph: SketchGraph, vertices: dict[str, Array]) -> tuple[Geomet
         return replace(whole, faces=find_faces(whole.vertices, drawn)), ""
     except SketchError as error:
         return whole, f" No faces were looked for: {error}."
-
-
-def _camera(graph: SketchGraph, problem: Problem, pose: Pose, placement: Placement) -> Camera:
-    if placement.camera_kept and graph.camera is not None:
-        return graph.camera
-    rotation = pose.R @ placement.rotation_world_from_object.T
-    return Camera(
-        focal_px=float(np.exp(pose.log_focal)) * problem.px_per_unit,
-        principal_point_px=np.array(graph.principal_point_px),
-        rotation_cam_from_world=rotation,
-        translation_cam_from_world_mm=-rotation @ placement.translation_mm,
-    )
 
 
 def _verdict(lifted: _Lifted, open_: Freedoms, conflicts: tuple[str, ...]) -> tuple[Status, str]:

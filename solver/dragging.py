@@ -1,0 +1,109 @@
+"""Lifting while a vertex is dragged: a few iterations from the last shape, at each mouse move.
+
+The annotations stay as they are, so that the structure, the unknowns, the faces and what the report
+says of the annotations stay too. When the mouse is let go, `solve` looks at everything afresh.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from .full import EXIF_LOG_SIGMA, FocalPrior, FullProblem, Pose
+from .graph import SketchGraph
+from .initial import USUAL_LOG_FOCAL
+from .least_squares import minimise
+from .placed import put_in_world
+from .problem import build_problem
+from .revolution import without_profiles
+from .solution import Solution
+from .structure import Structure, build_structure
+from .symmetry import Geometry, mirrored
+from .topology import Topology, topology_of
+from .two_step import USUAL_FOCAL_SIGMA, is_unsure_of_focal, solve
+from .warm_start import pose_from
+
+#: Iterations at each move: the shape follows within a fraction of a pixel.
+ITERATIONS = 2
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Drag:
+    """A sketch on its way, and its shape.
+
+    Parameters
+    ----------
+    graph : SketchGraph
+    solution : Solution
+    """
+
+    graph: SketchGraph
+    solution: Solution
+    _topology: Topology
+    _structure: Structure | None = None
+    _pose: Pose | None = None
+    _prior: FocalPrior | None = None
+
+
+def begin_drag(graph: SketchGraph, solution: Solution | None = None) -> Drag:
+    """Get ready to drag.
+
+    Parameters
+    ----------
+    graph : SketchGraph
+        As it is before the first move.
+    solution : Solution, optional
+        Its solution, where it is known.
+    """
+    solution = solve(graph) if solution is None else solution
+    idle = Drag(graph, solution, topology_of(graph))
+    core = without_profiles(graph)
+    structure = build_structure(core)
+    if structure.contradiction:
+        return idle
+    problem = build_problem(core, structure)
+    pose = pose_from(solution, core, problem)
+    if pose is None:
+        return idle
+    known = problem.log_focal_prior
+    prior = None if known is None else FocalPrior(known, EXIF_LOG_SIGMA)
+    if problem.camera is not None:
+        prior = None
+    elif prior is None and is_unsure_of_focal(FullProblem(problem, None), pose):
+        prior = FocalPrior(USUAL_LOG_FOCAL, USUAL_FOCAL_SIGMA)
+    return replace(idle, _structure=structure, _pose=pose, _prior=prior)
+
+
+def drag(last: Drag, graph: SketchGraph) -> Drag:
+    """The next move.
+
+    Parameters
+    ----------
+    last : Drag
+    graph : SketchGraph
+        The sketch with vertices or circles moved. Where anything else is different too, it is
+        solved from nothing.
+    """
+    if last._pose is None or last._structure is None or topology_of(graph) is not last._topology:
+        return begin_drag(graph)
+    core = without_profiles(graph)
+    problem = build_problem(core, last._structure)
+    full = FullProblem(problem, last._prior)
+    minimum = minimise(full, last._pose, max_iterations=ITERATIONS, near=True)
+    solution = _describe(graph, core, full, minimum.x, last.solution)
+    return replace(last, graph=graph, solution=solution, _pose=minimum.x)
+
+
+def _describe(
+    graph: SketchGraph, core: SketchGraph, full: FullProblem, pose: Pose, last: Solution
+) -> Solution:
+    """The new shape; what does not depend on positions is as it was."""
+    placed = put_in_world(graph, core, full.problem, pose)
+    whole = mirrored(graph, Geometry(placed.vertices, graph.edges, graph.faces or {}))
+    return replace(
+        last,
+        sketch_digest=graph.digest,
+        vertices_mm=whole.vertices,
+        circles=placed.circles,
+        camera=placed.camera,
+        report=replace(last.report, reprojection_px=placed.reprojection_px(graph)),
+    )

@@ -29,6 +29,8 @@ class Diameters:
         Diameters, mm.
     owners : tuple of str
         The annotation of each.
+    reference_owner : tuple of str
+        The annotation of the reference, where there is one.
     reference_edge : (2,) int array or None
         Vertices of the edge that the reference length measures; None where the reference is the
         diameter of the radius `reference_radius`.
@@ -39,6 +41,7 @@ class Diameters:
     radius: IntArray
     wanted: Array
     owners: tuple[str, ...]
+    reference_owner: tuple[str, ...]
     reference_edge: IntArray | None
     reference_radius: int
     reference_wanted: float
@@ -75,6 +78,7 @@ def proportional_diameters(graph: SketchGraph, structure: Structure) -> Diameter
     radius = dict(zip(graph.circles, structure.radius.tolist(), strict=True))
     topology = topology_of(graph)
     given, lengths = topology.by_kind["diameter"], topology.by_kind["length"]
+    reference_owner = tuple(id_ for id_, _ in (lengths or given)[:1])
     edge, first, wanted = None, 0, 1.0
     if lengths:
         first_length: Length = lengths[0][1]
@@ -87,6 +91,7 @@ def proportional_diameters(graph: SketchGraph, structure: Structure) -> Diameter
         np.array([radius[a.circle] for _, a in given], dtype=np.int64),
         np.array([a.diameter_mm for _, a in given], dtype=float),
         tuple(id_ for id_, _ in given),
+        reference_owner,
         edge,
         first,
         wanted,

@@ -173,7 +173,10 @@ def _along_third_axis(edge_axis: IntArray, edge_across: BoolArray) -> tuple[IntA
 
 
 def _vertical_axis(topology: Topology, edge_axis: IntArray, edge_across: BoolArray) -> int | None:
-    """The axis to which all edges between ground vertices are square and most others climb."""
+    """The axis to which the edges between ground vertices are square and most others climb.
+
+    Two of them along the other axes are enough: a wrong ground vertex then shows as a clash.
+    """
     on_ground = np.zeros(len(topology.vertices), dtype=bool)
     on_ground[topology.ground] = True
     grounded = on_ground[topology.ends]
@@ -182,10 +185,16 @@ def _vertical_axis(topology: Topology, edge_axis: IntArray, edge_across: BoolArr
     if not inside.any() and not joining.any():
         return None
     flat: BoolArray = np.all(edge_across[inside], axis=0)
+    along = set(edge_axis[inside].tolist())
     climbing = edge_axis[joining]
-    scores = [(int(np.count_nonzero(climbing == k)), -k) if flat[k] else (-1, -k) for k in range(3)]
+    scores = [(-1, -k) for k in range(3)]
+    for k in range(3):
+        if flat[k] or {0, 1, 2} - {k} <= along:
+            square = 0 if flat.any() else int(np.count_nonzero(edge_across[inside, k]))
+            scores[k] = (square + int(np.count_nonzero(climbing == k)), -k)
     best = max(range(3), key=lambda k: scores[k])
-    sure = scores[best][0] > 0 or (scores[best][0] == 0 and int(flat.sum()) == 1)
+    first, second = sorted((count for count, _ in scores), reverse=True)[:2]
+    sure = first > max(0, second) or (first == 0 and int(flat.sum()) == 1)
     return best if sure else None
 
 

@@ -16,14 +16,25 @@ from functools import partial
 
 import numpy as np
 
+from .blaming import (
+    MAX_COORDINATES,
+    Blame,
+    Stop,
+    blame_for_clash,
+    find_blame,
+    is_doubtful,
+    needs_a_closer_look,
+    reading_of,
+)
 from .circles import flat_circles
 from .diagnosis import (
     Freedoms,
-    clashing_annotations,
+    Reading,
     focal_sigma,
     freedoms,
     size_of,
     unmet_annotations,
+    without,
 )
 from .errors import SketchError
 from .faces import find_faces
@@ -63,13 +74,10 @@ UNSURE_FOCAL_SIGMA = 0.3
 USUAL_FOCAL_SIGMA = 0.3
 #: Readings whose misfits differ by less than this factor fit about equally well.
 CLOSE_CALL = 1.5
-#: Free coordinates beyond this are a tangle, not a sketch; a solve ends after so many seconds.
-MAX_COORDINATES = 1500
+#: A solve ends after so many seconds.
 MAX_SOLVE_S = 4.0
 #: A drawing further than this from every shape (image units, RMS) was not understood.
 LOST_MISFIT = 0.25
-
-Stop = Callable[[], bool]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -81,6 +89,7 @@ class _Lifted:
     minimum: Minimum[Pose]
     above: bool
     focal_assumed: bool = False
+    doubtful: bool = False
 
 
 def solve(graph: SketchGraph, *, stop: Stop | None = None) -> Solution:
@@ -109,8 +118,9 @@ def _solve(graph: SketchGraph, stop: Stop | None) -> Solution:
         return Solution(graph.digest, Status.UNDERDETERMINED, nothing)
     core = without_profiles(graph)
     structure = build_structure(core)
+    stop = _with_deadline(stop)
     if structure.contradiction:
-        return _clash(graph)
+        return _without_culprit(graph, core, stop)
     if structure.n_coordinates > MAX_COORDINATES:
         return Solution(
             graph.digest,
@@ -118,14 +128,14 @@ def _solve(graph: SketchGraph, stop: Stop | None) -> Solution:
             f"{structure.n_coordinates} coordinates are free, too many to solve for: mark right "
             "angles and parallels.",
         )
-    lifted = _lift(core, structure, _with_deadline(stop))
+    lifted, blamed = _lift_or_blame(core, structure, stop)
     if lifted is None:
         return Solution(
             graph.digest,
             Status.NOT_CONVERGED,
             "No 3D shape fits this drawing; check the annotations against it.",
         )
-    return _describe(graph, core, lifted)
+    return _describe(graph, core, lifted, blamed)
 
 
 def _with_deadline(stop: Stop | None) -> Stop:
@@ -148,23 +158,67 @@ def _nothing_to_lift(graph: SketchGraph) -> str | None:
     return None
 
 
-def _clash(graph: SketchGraph) -> Solution:
-    conflicts = clashing_annotations(graph)
-    return Solution(
-        graph.digest,
-        Status.CONFLICTING,
-        f"{_and(conflicts)} cannot all hold: take one of them away.",
-        report=Report(conflicts=conflicts),
-    )
+def _without_culprit(graph: SketchGraph, core: SketchGraph, stop: Stop) -> Solution:
+    """What follows from annotations that cannot all hold: the shape without the culprit."""
+    kept: dict[str, _Lifted] = {}
+
+    def attempt(id_: str) -> Reading | None:
+        lifted = _lift_without(core, id_, stop)
+        if lifted is None or lifted.doubtful:
+            return None
+        kept[id_] = lifted
+        return reading_of(without(core, id_), lifted)
+
+    blamed = blame_for_clash(core, attempt)
+    first = blamed.ids[0]
+    lifted = kept.get(first) or _lift_without(core, first, stop)
+    if lifted is None or lifted.doubtful:
+        report = Report(conflicts=blamed.ids)
+        return Solution(graph.digest, Status.CONFLICTING, blamed.message, report=report)
+    return _describe(graph, core, lifted, blamed)
 
 
-def _lift(graph: SketchGraph, structure: Structure, stop: Stop | None) -> _Lifted | None:
-    """Both steps; where the drawing does not tell the focal length, a usual one is assumed."""
+def _lift_without(core: SketchGraph, id_: str, stop: Stop) -> _Lifted | None:
+    rest = without(core, id_)
+    structure = build_structure(rest)
+    if structure.contradiction or structure.n_coordinates > MAX_COORDINATES:
+        return None
+    return _lift(rest, structure, stop, wary=True)
+
+
+def _lift_or_blame(
+    core: SketchGraph, structure: Structure, stop: Stop
+) -> tuple[_Lifted | None, Blame | None]:
+    """The shape, or where an annotation contradicts the drawing grossly the shape without it."""
+    lifted = _lift(core, structure, stop, wary=True)
+    if lifted is None or not (lifted.doubtful or needs_a_closer_look(core, lifted)):
+        return lifted, None
+    blamed = None
+    for lost in (False, True)[lifted.doubtful :]:
+        blamed = blamed or find_blame(core, structure, lifted, stop, lost=lost)
+    other = None
+    if blamed is not None and not blamed.held:
+        other = _lift_without(core, blamed.ids[0], stop)
+    if other is not None and not other.doubtful:
+        return other, blamed
+    # What was found at first sight only is finished.
+    return (_lift(core, structure, stop) if lifted.doubtful else lifted), blamed
+
+
+def _lift(
+    graph: SketchGraph, structure: Structure, stop: Stop | None, *, wary: bool = False
+) -> _Lifted | None:
+    """Both steps; where the drawing does not tell the focal length, a usual one is assumed.
+
+    A wary one ends where the first view misses the drawing by far, and says that it is doubtful.
+    """
     problem = build_problem(graph, structure)
     known = problem.log_focal_prior
     is_prior = known is not None and problem.camera is None
     prior = FocalPrior(known, EXIF_LOG_SIGMA) if known is not None and is_prior else None
-    best = _best(graph, problem, prior, stop)
+    best = _best(graph, problem, prior, stop, wary=wary)
+    if best is not None and best.doubtful:
+        return best
     if known is None and (best is None or is_unsure_of_focal(best.full, best.minimum.x)):
         usual = replace(problem, log_focal_prior=USUAL_LOG_FOCAL)
         assumed = _best(graph, usual, FocalPrior(USUAL_LOG_FOCAL, USUAL_FOCAL_SIGMA), stop)
@@ -178,7 +232,12 @@ def is_unsure_of_focal(full: FullProblem, pose: Pose) -> bool:
 
 
 def _best(
-    graph: SketchGraph, problem: Problem, prior: FocalPrior | None, stop: Stop | None
+    graph: SketchGraph,
+    problem: Problem,
+    prior: FocalPrior | None,
+    stop: Stop | None,
+    *,
+    wary: bool = False,
 ) -> _Lifted | None:
     """The reading seen from above that fits the drawing best.
 
@@ -198,6 +257,8 @@ def _best(
         tried.append(carry_on(pose, TRIAL_ENOUGH, near=False))
         if _is_exact(tried[-1]):
             break
+        if wary and len(tried) == 1 and is_doubtful(graph, tried[0]):
+            return replace(tried[0], doubtful=True)
     finished: list[_Lifted] = []
     for t in _promising(graph, tried):
         least = min((f.minimum.cost for f in finished), default=np.inf)
@@ -264,7 +325,9 @@ def _initial_pose(problem: Problem, start: Start) -> Pose | None:
     return None
 
 
-def _describe(graph: SketchGraph, core: SketchGraph, lifted: _Lifted) -> Solution:
+def _describe(
+    graph: SketchGraph, core: SketchGraph, lifted: _Lifted, blamed: Blame | None = None
+) -> Solution:
     pose = lifted.minimum.x
     placed = put_in_world(graph, core, lifted.problem, pose)
     vertices, circles = placed.vertices, placed.circles
@@ -274,6 +337,9 @@ def _describe(graph: SketchGraph, core: SketchGraph, lifted: _Lifted) -> Solutio
     extent = np.array([*vertices.values(), *(c.center_mm for c in circles.values())])
     conflicts = unmet_annotations(residuals, size_of(extent.reshape(-1, 3)))
     status, message = _verdict(lifted, open_, conflicts)
+    if blamed is not None:
+        conflicts, message = blamed.ids, blamed.message
+        status = status if blamed.held else Status.CONFLICTING
     return Solution(
         graph.digest,
         status,

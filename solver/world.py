@@ -26,6 +26,8 @@ from .topology import topology_of
 from .values import Array
 
 ASSUMED_LONGEST_MM = 100.0
+#: What is deeper in the ground than this part of the object's size is not there by chance.
+SUNK = 0.05
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -98,6 +100,16 @@ def camera_above_ground(graph: SketchGraph, problem: Problem, pose: Pose) -> boo
         c = pose.g[problem.structure.coordinate]
         return float(-(c[ground].mean(axis=0) @ up)) > 0
     return float(pose.R[2] @ up) < 0
+
+
+def nothing_sinks(graph: SketchGraph, problem: Problem, pose: Pose) -> bool:
+    """Whether all of the object is above the ground, within what drawing errors may do."""
+    ground = ground_indices(graph)
+    if not ground:
+        return True
+    c = pose.g[problem.structure.coordinate]
+    height = (c - c[ground].mean(axis=0)) @ up_direction(graph, problem, pose)
+    return float(height.min()) > -SUNK * float(np.ptp(c, axis=0).max())
 
 
 def ground_indices(graph: SketchGraph) -> list[int]:

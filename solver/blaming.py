@@ -1,0 +1,217 @@
+"""What a sketch is solved to when its annotations do not fit together or not to the drawing.
+
+Terms
+-----
+candidate
+    A shape after the full step, whatever it is called there.
+blame
+    The annotations that contradict the rest, and the sentence that says so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+
+from .annotations import Diameter, Length
+from .diagnosis import (
+    Reading,
+    Relaxed,
+    contradicts,
+    convict,
+    find_clash,
+    leftover_suspects,
+    pose_near,
+    relax,
+    without,
+)
+from .full import FullProblem, Pose
+from .graph import SketchGraph
+from .least_squares import Minimum, minimise
+from .problem import Problem, build_problem
+from .structure import Structure, build_structure
+from .world import camera_above_ground, nothing_sinks
+
+#: A first view that misses the drawing by this part of its diagonal (RMS) makes doubtful whether
+#: the annotations are true; a result that does so is looked at more closely.
+DOUBTFUL_RMS, CLOSER_LOOK_RMS = 0.03, 0.012
+#: So much has to speak against an annotation for a closer look (Bayesian information).
+SUSPICIOUS = 12.0
+#: Further from the drawing than this nobody draws: an annotation that asks for it is not true.
+GROSS_RMS = 0.03
+#: Iterations from a shape that is known already.
+NEAR_ITERATIONS = 40
+#: Free coordinates beyond this are a tangle, not a sketch.
+MAX_COORDINATES = 1500
+
+Stop = Callable[[], bool]
+
+
+class Candidate(Protocol):
+    """A shape after the full step."""
+
+    @property
+    def problem(self) -> Problem: ...
+    @property
+    def full(self) -> FullProblem: ...
+    @property
+    def minimum(self) -> Minimum[Pose]: ...
+    @property
+    def above(self) -> bool: ...
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Near:
+    """A shape after the full step, begun from one that was known."""
+
+    problem: Problem
+    full: FullProblem
+    minimum: Minimum[Pose]
+    above: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Blame:
+    """What contradicts the rest.
+
+    Parameters
+    ----------
+    ids : tuple of annotation ids
+        Most to blame first.
+    message : str
+        A sentence for people.
+    held : bool
+        Whether all annotations hold all the same, and only the drawing is not followed.
+    """
+
+    ids: tuple[str, ...]
+    message: str
+    held: bool
+
+
+def reading_of(graph: SketchGraph, lifted: Candidate) -> Reading:
+    """How well a shape follows the drawing, and with how many freedoms."""
+    full, x = lifted.full, lifted.minimum.x
+    observed = 2 * full.n_vertices + full.problem.circles.supports.size
+    _, H = full.constraints(x)
+    held = int(np.linalg.matrix_rank(H, tol=1e-7)) if H.size else 0
+    idle = full.idle_directions(x)
+    turning = int(np.linalg.matrix_rank(idle)) if len(idle) else 0
+    misfit = FullProblem(full.problem, None).merit(x, 0.0)
+    return Reading(
+        misfit=misfit / drawn_diagonal(full.problem) ** 2,
+        n_observed=observed,
+        n_free=4 + full.m - 1 - turning - held,
+        plausible=lifted.above
+        and lifted.minimum.converged
+        and nothing_sinks(graph, full.problem, x),
+        converged=lifted.minimum.converged,
+    )
+
+
+def drawn_diagonal(problem: Problem) -> float:
+    """The drawing's diagonal, image units."""
+    drawn = np.vstack([problem.points, problem.circles.centres])
+    return max(float(np.linalg.norm(np.ptp(drawn, axis=0))), 1e-6)
+
+
+def is_doubtful(graph: SketchGraph, lifted: Candidate) -> bool:
+    """Whether a first view misses the drawing so far that some annotation may be false."""
+    n = 2 * lifted.full.n_vertices + lifted.problem.circles.supports.size
+    rms = np.sqrt(2 * lifted.minimum.cost / max(1, n)) / drawn_diagonal(lifted.problem)
+    return bool(rms > DOUBTFUL_RMS)
+
+
+def needs_a_closer_look(graph: SketchGraph, lifted: Candidate) -> bool:
+    """Whether a result is so far from the drawing, or an annotation so suspicious."""
+    if reading_of(graph, lifted).rms > CLOSER_LOOK_RMS:
+        return True
+    found = leftover_suspects(graph, lifted.full, lifted.minimum.x)
+    return bool(found) and found[0].weight > SUSPICIOUS
+
+
+def find_blame(
+    graph: SketchGraph, structure: Structure, lifted: Candidate, stop: Stop, *, lost: bool
+) -> Blame | None:
+    """Which annotation contradicts the drawing and the others, if one does.
+
+    Parameters
+    ----------
+    graph : SketchGraph
+    structure : Structure
+    lifted : Candidate
+        The best shape found so far.
+    stop : callable
+    lost : bool
+        Whether that is so bad that it is no place to look around from.
+    """
+    relaxed = relax(graph, lifted.problem, lifted.minimum.x, lost=lost)
+    if relaxed is None:
+        return None
+    tried = convict(
+        [(s.id, s.weight) for s in relaxed.suspects],
+        lambda id_: _reading_near(without(graph, id_), relaxed, stop),
+    )
+    whole = reading_of(graph, lifted)
+    against = [(id_, r) for id_, r in tried if contradicts(whole, r)]
+    # With the right shape in sight, perhaps all annotations hold.
+    again = _reading_near(graph, relaxed, stop) if against else None
+    if again is not None and again.misfit < whole.misfit:
+        whole = again
+        against = [(id_, r) for id_, r in against if contradicts(whole, r)]
+    if not against:
+        return None
+    best = against[0][1]
+    fall = whole.information - best.information
+    ids = tuple(id_ for id_, r in against if whole.information - r.information > fall / 2)
+    px = drawn_diagonal(lifted.problem) * lifted.problem.px_per_unit
+    missed = (
+        f"with it the drawing is missed by {whole.rms * px:.2g} px, "
+        f"without it by {best.rms * px:.2g} px"
+    )
+    wish = isinstance(graph.annotations[ids[0]], Length | Diameter)
+    if whole.converged and (wish or whole.rms < GROSS_RMS):
+        return Blame(ids, f"Solved, but {_or(ids)} contradicts the drawing: {missed}.", True)
+    return Blame(
+        ids, f"{_or(ids)} contradicts the rest: {missed}. Solved without {ids[0]}.", False
+    )
+
+
+def blame_for_clash(graph: SketchGraph, attempt: Callable[[str], Reading | None]) -> Blame:
+    """Whom to blame where annotations cannot all hold, whatever the drawing."""
+    clash = find_clash(graph)
+    several = clash.culprits if len(clash.culprits) > 1 else ()
+    tried = convict([(id_, 1.0) for id_ in several], attempt)
+    ids = tuple(dict.fromkeys([*(id_ for id_, _ in tried), *clash.ids]))
+    if not clash.culprits:
+        return Blame(ids, f"{_and(ids)} cannot all hold: take one of them away.", False)
+    rest = f" together with {_and(ids[1:])}" if len(ids) > 1 else ""
+    return Blame(ids, f"{ids[0]} cannot hold{rest}: try removing {ids[0]}.", False)
+
+
+def _reading_near(graph: SketchGraph, near: Relaxed, stop: Stop) -> Reading | None:
+    """The full step alone, begun from a shape that is known already."""
+    structure = build_structure(graph)
+    if structure.contradiction or structure.n_coordinates > MAX_COORDINATES:
+        return None
+    problem = build_problem(graph, structure)
+    full = FullProblem(problem, None)
+    start = pose_near(problem, near.in_cam, near.radii, near.log_focal)
+    minimum = minimise(full, start, max_iterations=NEAR_ITERATIONS, enough=1e-6, stop=stop)
+    if not np.isfinite(minimum.cost):
+        return None
+    above = camera_above_ground(graph, problem, minimum.x)
+    return reading_of(graph, Near(problem, full, minimum, above))
+
+
+def _or(ids: tuple[str, ...]) -> str:
+    return " or ".join(ids)
+
+
+def _and(ids: tuple[str, ...]) -> str:
+    if len(ids) < 2:
+        return "".join(ids)
+    return f"{', '.join(ids[:-1])} and {ids[-1]}"

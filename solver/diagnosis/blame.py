@@ -1,0 +1,107 @@
+"""Who is to blame when a sketch does not fit together: solved again without each suspect.
+
+Terms
+-----
+reading
+    A solve with some of the annotations: how far it stays from the drawing, with how many freedoms.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+import numpy as np
+from scipy.special import fdtrc
+
+from .suspects import HAND_SIGMA
+
+#: Suspects that are tried, at most.
+MAX_TRIED = 4
+COMPARABLE = 0.25
+#: An annotation counts as contradicting the drawing where chance would do as much with this
+#: probability, and the drawing is missed by at least this part of its diagonal (RMS).
+CHANCE, CHANCE_AS_DRAWN = 1e-5, 2e-3
+#: How many observations the knowledge of how people draw counts for.
+USUAL_COUNT = 6
+NOTICEABLE = 0.0005
+#: Drawings are no better than this, in parts of their diagonal.
+FINEST = 1e-5
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Reading:
+    """A solve and how well it follows the drawing.
+
+    Parameters
+    ----------
+    misfit : float
+        Sum of squares in parts of the drawing's diagonal.
+    n_observed : int
+        Numbers drawn.
+    n_free : int
+        Numbers that were free to follow them.
+    plausible : bool
+        False where it is seen from below, sinks into the ground or did not end well.
+    converged : bool
+    """
+
+    misfit: float
+    n_observed: int
+    n_free: int
+    plausible: bool
+    converged: bool
+
+    @property
+    def rms(self) -> float:
+        """Distance from the drawing, RMS over the vertices, in parts of its diagonal."""
+        return float(np.sqrt(2 * self.misfit / max(1, self.n_observed)))
+
+    @property
+    def information(self) -> float:
+        """Bayesian information: small for readings that follow the drawing with few freedoms."""
+        n = self.n_observed
+        floor = n * FINEST**2
+        return float(n * np.log((self.misfit + floor) / n) + self.n_free * np.log(max(2, n)))
+
+
+def convict(
+    suspects: Iterable[tuple[str, float]], attempt: Callable[[str], Reading | None]
+) -> list[tuple[str, Reading]]:
+    """Try suspects in turn; the best readings first.
+
+    Parameters
+    ----------
+    suspects : iterable of (annotation id, weight)
+        The most suspicious first; of equals the first stays first. One that weighs much less than
+        the first is tried only if those before it were not to blame.
+    attempt : callable
+        Solves without one annotation.
+    """
+    tried: list[tuple[str, Reading]] = []
+    heaviest = 0.0
+    for id_, weight in list(suspects)[:MAX_TRIED]:
+        heaviest = max(heaviest, weight)
+        if weight < COMPARABLE * heaviest and any(r.plausible for _, r in tried):
+            break
+        reading = attempt(id_)
+        if reading is not None:
+            tried.append((id_, reading))
+    return sorted(tried, key=lambda t: (not t[1].plausible, t[1].information))
+
+
+def contradicts(whole: Reading, part: Reading) -> bool:
+    """Whether leaving an annotation out brings more than chance would (F tests).
+
+    The misfit without it is measured against what is left over, and, as small sketches leave little
+    over, against how people draw.
+    """
+    freed = max(1, part.n_free - whole.n_free)
+    spare = part.n_observed - part.n_free
+    if not part.plausible or spare < 1 or whole.rms < NOTICEABLE:
+        return False
+    gain = max(whole.misfit - part.misfit, 0.0) / freed
+    left = part.misfit + part.n_observed * FINEST**2
+    usual = (HAND_SIGMA**2 / 2 * USUAL_COUNT + left) / (USUAL_COUNT + spare)
+    by_itself = fdtrc(freed, spare, gain / (left / spare))
+    as_drawn = fdtrc(freed, USUAL_COUNT + spare, gain / usual)
+    return bool(by_itself < CHANCE or as_drawn < CHANCE_AS_DRAWN)

@@ -1,0 +1,159 @@
+"""Annotations that cannot all hold, whatever the drawing: found by reasoning alone.
+
+Terms
+-----
+clash
+    A set of annotations from which a contradiction follows (an edge across itself, or of no
+    length), and no smaller part of it does.
+culprit
+    An annotation without which all the others agree.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+
+from ..annotations import targets_of
+from ..graph import SketchGraph
+from ..structure import build_structure
+
+#: How often it may be asked whether some annotations agree; a clash that is not smallest by then
+#: is told as far as it was found.
+MAX_QUESTIONS = 60
+#: How many parts are left out in turn, to see which holds the culprit.
+PARTS = 6
+
+
+@dataclass(frozen=True, slots=True)
+class Clash:
+    """What cannot hold together.
+
+    Parameters
+    ----------
+    culprits : tuple of annotation ids
+        Without any one of these the others agree; the last one said first.
+    others : tuple of annotation ids
+        The rest of the clash.
+    """
+
+    culprits: tuple[str, ...]
+    others: tuple[str, ...]
+
+    @property
+    def ids(self) -> tuple[str, ...]:
+        """All of it, culprits first."""
+        return (*self.culprits, *self.others)
+
+
+def find_clash(graph: SketchGraph) -> Clash:
+    """A smallest clash among annotations of which it is known that they cannot all hold."""
+    search = _Search(graph)
+    culprits = sorted(search.culprits(), key=search.said.index, reverse=True)
+    clash = search.smallest((culprits or search.said[-1:])[0])
+    return Clash(tuple(culprits), tuple(k for k in search.said if k in clash - set(culprits)))
+
+
+def clashing_annotations(graph: SketchGraph) -> tuple[str, ...]:
+    """The annotations of a smallest clash, culprits first."""
+    return find_clash(graph).ids
+
+
+class _Search:
+    """Asks whether annotations agree, few of them at a time where that will do."""
+
+    def __init__(self, graph: SketchGraph) -> None:
+        self.graph = graph
+        self.said = list(graph.annotations)
+        self.asked: dict[frozenset[str], bool] = {}
+
+    def agree(self, ids: Iterable[str]) -> bool:
+        """Whether no contradiction follows from these; not known, and False, after too many."""
+        key = frozenset(ids)
+        if key not in self.asked:
+            if self.tired:
+                return False
+            annotations = {k: self.graph.annotations[k] for k in self.said if k in key}
+            self.asked[key] = not build_structure(self.graph, annotations).contradiction
+        return self.asked[key]
+
+    @property
+    def tired(self) -> bool:
+        """Whether enough was asked."""
+        return len(self.asked) >= MAX_QUESTIONS
+
+    def culprits(self) -> list[str]:
+        """All annotations without any one of which the others agree.
+
+        Left out part by part: without a culprit's part the others agree too, and a part of evenly
+        spread annotations seldom does that by itself, as true ones are backed by others.
+        """
+        parts = [self.said[k::PARTS] for k in range(min(PARTS, len(self.said)))]
+        found = []
+        while parts:
+            part = parts.pop(0)
+            if self.agree(k for k in self.said if k not in part):
+                if len(part) == 1:
+                    found += part
+                else:
+                    parts += [part[::2], part[1::2]]
+        return found
+
+    def smallest(self, member: str) -> set[str]:
+        """A clash with a member, such that no part of it clashes; near annotations preferred."""
+        near = self._by_distance(member)
+        clash = [member]
+        while near and self.agree(clash):
+            k = self._first_clash(clash, near)
+            if self.tired:
+                break
+            clash.append(near[k - 1])
+            near = near[: k - 1]
+        return set(clash)
+
+    def _first_clash(self, base: Sequence[str], order: Sequence[str]) -> int:
+        """The smallest k such that the base and the first k clash; galloping, then halving."""
+        low, high = 0, 1
+        while high < len(order) and self.agree([*base, *order[:high]]):
+            low, high = high, 2 * high
+        high = min(high, len(order))
+        while high - low > 1:
+            middle = (low + high) // 2
+            if self.agree([*base, *order[:middle]]):
+                low = middle
+            else:
+                high = middle
+        return high
+
+    def _by_distance(self, member: str) -> list[str]:
+        """The other annotations, those that speak of the same or of neighbouring vertices first."""
+        joined: dict[str, set[str]] = {v: set() for v in self.graph.vertices}
+        for v, w in self.graph.edges.values():
+            joined[v].add(w)
+            joined[w].add(v)
+        distance = dict.fromkeys(self._vertices(member), 0)
+        rim = list(distance)
+        while rim:
+            rim = [w for v in rim for w in joined[v] if w not in distance]
+            step = max(distance.values()) + 1
+            distance.update(dict.fromkeys(rim, step))
+
+        def far(id_: str) -> float:
+            steps = [distance.get(v, len(joined)) for v in self._vertices(id_)]
+            return sum(steps) / max(1, len(steps))
+
+        return sorted((id_ for id_ in self.said if id_ != member), key=far)
+
+    def _vertices(self, id_: str) -> set[str]:
+        """The vertices that an annotation speaks of."""
+        named = targets_of(self.graph.annotations[id_])
+        ends = {v for e in named.get("edge", ()) for v in self.graph.edges[e]}
+        faces = self.graph.faces or {}
+        loops = {v for f in named.get("face", ()) if f in faces for v in faces[f].loop}
+        return ends | loops | set(named.get("vertex", ()))
+
+
+def without(graph: SketchGraph, *ids: str) -> SketchGraph:
+    """The graph with annotations taken away."""
+    kept = {id_: a for id_, a in graph.annotations.items() if id_ not in ids}
+    return replace(graph, annotations=kept)

@@ -1,0 +1,289 @@
+"""Which annotations the drawing and the other annotations speak against.
+
+Each annotation is taken as an observation that may be a blunder, as geodesists test theirs
+(Baarda's data snooping): what leaving it out would gain follows from one linearisation.
+
+Terms
+-----
+soft problem
+    Every vertex is free, and every annotation pulls as a spring; a false one gives way instead of
+    bending everything else.
+gain
+    By how much the sum of squares falls when an annotation's rows are left out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..annotations import Ground, Length, OnFace, Parallel, RightAngle, SymmetryPlane
+from ..full import EXIF_LOG_SIGMA, FocalPrior, FullProblem, Pose
+from ..graph import SketchGraph
+from ..initial import USUAL_LOG_FOCAL, lift_linear, starts
+from ..least_squares import Evaluation
+from ..problem import Problem, build_problem
+from ..structure import Structure, build_structure
+from ..values import Array
+
+#: How far a hand strays from the line that it means, RMS in parts of the drawing's diagonal.
+HAND_SIGMA = 0.007
+#: A spring gives way by this (radians, parts of a length) where the drawing gives way by its error.
+SPRING_SIGMA = 0.02
+SOFT_FOCAL_SIGMA = 0.7
+#: Springs drawn further than this yield.
+YIELD = 2 * SPRING_SIGMA
+#: Iterations to compare beginnings, and to go on from the best one; views of each beginning.
+FIRST_ITERATIONS, ITERATIONS, VIEWS = 4, 6, 3
+#: Which kinds of annotations have a say in where the soft problem begins: one false one spoils all
+#: that follows from it.
+KINDS_OF_BEGINNINGS = ((RightAngle, Parallel, SymmetryPlane), (RightAngle,))
+#: Beyond so many unknowns the soft problem takes too long; only what the structure does not hold
+#: by construction is then looked at.
+MAX_UNKNOWNS = 330
+
+
+@dataclass(frozen=True, slots=True)
+class Suspect:
+    """An annotation and how much speaks against it: the fall of the Bayesian information."""
+
+    id: str
+    weight: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Relaxed:
+    """A shape that follows the drawing, and the annotations as far as they let it.
+
+    Parameters
+    ----------
+    in_cam : (n + k, 3) array
+        Vertices and circles' centres in the camera frame, of free size.
+    radii : (k,) array
+    log_focal : float
+    suspects : list of Suspect
+        Annotations that something speaks against, the most suspicious first.
+    """
+
+    in_cam: Array
+    radii: Array
+    log_focal: float
+    suspects: list[Suspect]
+
+
+def relax(graph: SketchGraph, problem: Problem, pose: Pose, *, lost: bool) -> Relaxed | None:
+    """Let the annotations give way, and see which one does most.
+
+    Parameters
+    ----------
+    graph : SketchGraph
+        What is solved.
+    problem : Problem
+        Its numbers.
+    pose : Pose
+        The result so far, from which only the camera and the depths are used.
+    lost : bool
+        Whether the result is so bad that other beginnings are to be tried as well.
+    """
+    n_points = len(problem.points) + len(problem.circles)
+    if 3 * n_points > MAX_UNKNOWNS:
+        full = FullProblem(problem, None)
+        return _told(full, pose, leftover_suspects(graph, full, pose))
+    soft = _soften(graph, problem)
+    owners = row_owners(graph, soft)
+    stiffness = spring_stiffness(problem)
+    begun = [begin(soft.problem, problem.structure, pose)]
+    if lost:
+        begun += other_beginnings(graph, soft.problem)
+    springs = _Springs(soft, stiffness)
+    tried = [springs.relaxed(x, FIRST_ITERATIONS) for x in begun if x is not None]
+    if not tried:
+        return None
+    x, _ = springs.relaxed(min(tried, key=lambda t: t[1])[0], ITERATIONS)
+    return _told(soft, x, weigh(soft, x, owners, stiffness))
+
+
+def _told(full: FullProblem, x: Pose, found: list[Suspect]) -> Relaxed:
+    radii = x.g[full.problem.structure.radius]
+    return Relaxed(full.positions(x) @ x.R.T, radii, x.log_focal, found)
+
+
+def leftover_suspects(graph: SketchGraph, full: FullProblem, pose: Pose) -> list[Suspect]:
+    """The same at a solution, among the annotations that are not held by construction."""
+    owners = row_owners(graph, full)
+    if not owners:
+        return []
+    return weigh(full, pose, owners, spring_stiffness(full.problem))
+
+
+def spring_stiffness(problem: Problem) -> float:
+    """The weight of a spring's square against a square in the image."""
+    spread = np.ptp(np.vstack([problem.points, problem.circles.centres]), axis=0)
+    drawn = HAND_SIGMA * max(float(np.linalg.norm(spread)), 1e-6) / np.sqrt(2)
+    return float((drawn / SPRING_SIGMA) ** 2)
+
+
+def _soften(graph: SketchGraph, problem: Problem) -> FullProblem:
+    """The soft problem: no coordinate is shared."""
+    tied = problem.structure
+    n = len(problem.points) + len(problem.circles)
+    free: Structure = replace(
+        tied,
+        edge_axis=np.full_like(tied.edge_axis, -1),
+        edge_across=np.zeros_like(tied.edge_across),
+        coordinate=np.arange(3 * n).reshape(n, 3),
+        radius=3 * n + np.arange(len(tied.radius)),
+        n_coordinates=3 * n + len(tied.radius),
+        # Circles know their normal by it.
+        vertical=tied.vertical if len(tied.radius) else None,
+        has_axes=False,
+    )
+    known = problem.log_focal_prior
+    # From afar all springs are soft: a wide prior keeps the camera near where people stand.
+    prior = FocalPrior(USUAL_LOG_FOCAL, SOFT_FOCAL_SIGMA)
+    if known is not None:
+        prior = FocalPrior(known, EXIF_LOG_SIGMA)
+    return FullProblem(build_problem(graph, free), prior)
+
+
+def begin(soft: Problem, tied: Structure, pose: Pose) -> Pose | None:
+    """Each vertex on its ray, as deep as it was."""
+    seen = np.vstack([soft.points, soft.circles.centres])
+    depth = pose.g[tied.coordinate] @ pose.R[2]
+    usual = float(np.median(depth))
+    if not usual > 0:
+        return None
+    depth = np.clip(depth, 0.3 * usual, 3 * usual)
+    rays = np.hstack([seen / np.exp(pose.log_focal), np.ones((len(seen), 1))])
+    X = (rays * depth[:, None]) @ pose.R
+    return Pose(pose.R, pose.log_focal, np.concatenate([X.reshape(-1), pose.g[tied.radius]]))
+
+
+def other_beginnings(graph: SketchGraph, soft: Problem) -> list[Pose]:
+    """Beginnings that only some kinds of annotations had a say in."""
+    found = []
+    for kinds in KINDS_OF_BEGINNINGS:
+        said = {k: a for k, a in graph.annotations.items() if isinstance(a, kinds)}
+        structure = build_structure(graph, said)
+        if structure.contradiction or structure.n_coordinates > MAX_UNKNOWNS:
+            continue
+        problem = replace(soft, structure=structure)
+        for view in starts(problem)[:VIEWS]:
+            g = lift_linear(problem, view.R, view.log_focal, 1e-2)
+            x = begin(soft, structure, Pose(view.R, view.log_focal, g))
+            found += [x] if x is not None else []
+    return found
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Springs:
+    """The soft problem with springs that yield more the further they are drawn (Cauchy)."""
+
+    soft: FullProblem
+    stiffness: float
+
+    def relaxed(self, x: Pose, iterations: int) -> tuple[Pose, float]:
+        """A few steps of Levenberg-Marquardt on |r|^2 + s sum log(1 + h^2 / c^2) c^2."""
+        at, mu = self.soft.evaluate(x), 1e-3
+        energy = self._energy(x, at.h)
+        for _ in range(iterations):
+            A, b = _normal(at, self.stiffness / (1 + (at.h / YIELD) ** 2))
+            diagonal = np.diag(A)
+            A[np.diag_indices(len(A))] += mu * (diagonal + 1e-6 * float(diagonal.max()))
+            moved = self.soft.retract(x, -np.linalg.solve(A, b))
+            after = None if moved is None else self.soft.evaluate(moved)
+            new = np.inf if moved is None or after is None else self._energy(moved, after.h)
+            if moved is None or after is None or not new <= energy:
+                mu *= 30
+                continue
+            settled = new > 0.98 * energy
+            x, at, energy, mu = moved, after, new, mu / 10
+            if settled:
+                break
+        return x, energy
+
+    def _energy(self, x: Pose, h: Array) -> float:
+        springs = float(np.log1p((h / YIELD) ** 2).sum()) * YIELD**2
+        return self.soft.merit(x, 0.0) + self.stiffness * springs
+
+
+def _normal(at: Evaluation, stiffness: float | Array) -> tuple[Array, Array]:
+    return at.A + (at.H.T * stiffness) @ at.H, at.b + at.H.T @ (stiffness * at.h)
+
+
+def weigh(
+    full: FullProblem, x: Pose, owners: Sequence[tuple[str, ...]], stiffness: float
+) -> list[Suspect]:
+    """What leaving out each owner's rows would gain, from one linearisation.
+
+    With A = J^T J + s H^T H, the residuals h after the step, and L = s H A^-1 H^T, the gain of the
+    rows a is s h_a^T (I - L_aa)^-1 h_a.
+
+    Parameters
+    ----------
+    full : FullProblem
+    x : Pose
+    owners : sequence of tuples of ids
+        For each row of h who asks for it.
+    stiffness : float
+    """
+    at = full.evaluate(x)
+    A, b = _normal(at, stiffness)
+    A[np.diag_indices(len(A))] += 1e-12 * float(np.diag(A).max())
+    solved = np.linalg.solve(A, np.column_stack([b, at.H.T]))
+    step = -solved[:, 0]
+    h = at.h + at.H @ step
+    leverage = stiffness * (at.H @ solved[:, 1:])
+    misfit = full.merit(x, 0.0) + float(step @ (2 * at.b + at.A @ step))
+    total = max(misfit, 0.0) + stiffness * float(h @ h) + 1e-300
+    n = 2 * full.n_vertices + full.problem.circles.supports.size + len(h)
+    found = []
+    for id_, rows in _rows_of(owners).items():
+        part = np.eye(len(rows)) * (1 + 1e-9) - leverage[np.ix_(rows, rows)]
+        gain = stiffness * float(h[rows] @ np.linalg.solve(part, h[rows]))
+        left = max(total - gain, 1e-6 * total)
+        # Each row left out could be a parameter more.
+        weight = n * np.log(total / left) - len(rows) * np.log(n)
+        found.append(Suspect(id_, float(weight)))
+    found.sort(key=lambda s: -s.weight)
+    return [s for s in found if s.weight > 0]
+
+
+def _rows_of(owners: Sequence[tuple[str, ...]]) -> Mapping[str, list[int]]:
+    rows: dict[str, list[int]] = {}
+    for i, ids in enumerate(owners):
+        for id_ in ids:
+            rows.setdefault(id_, []).append(i)
+    return rows
+
+
+def row_owners(graph: SketchGraph, full: FullProblem) -> list[tuple[str, ...]]:
+    """For each row of a problem's constraints the annotations that ask for it.
+
+    Lengths are compared with the first one, and ground vertices with others on the ground: such
+    rows are asked for by both sides. Rows that only a named face asks for have no owner.
+    """
+    names = list(graph.vertices)
+    first = next((id_ for id_, a in graph.annotations.items() if isinstance(a, Length)), None)
+    ground = {id_: set(a.vertices) for id_, a in graph.annotations.items() if isinstance(a, Ground)}
+
+    def asking(owner: str, item: Sequence[int]) -> tuple[str, ...]:
+        if owner in ground:
+            at = {names[i] for i in item}
+            return tuple(id_ for id_, vertices in ground.items() if at & vertices)
+        touching = graph.annotations.get(owner)
+        if isinstance(touching, OnFace) and names[item[3]] != touching.vertex:
+            return ()
+        if first is not None and isinstance(graph.annotations.get(owner), Length):
+            return (first, owner)
+        return (owner,) if owner in graph.annotations else ()
+
+    owners: list[tuple[str, ...]] = []
+    for block in full.problem.blocks:
+        rows_each = 3 if block.energy == "parallel" else 1
+        for owner, item in zip(block.owners, block.items.tolist(), strict=True):
+            owners += [asking(owner, item)] * rows_each
+    diameters = full.problem.diameters
+    return owners + [(*diameters.reference_owner, owner) for owner in diameters.owners]

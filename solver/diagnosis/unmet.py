@@ -1,0 +1,31 @@
+"""Annotations that do not hold in the result."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from ..solution import Residual, Residuals
+from ..values import Array
+
+#: Residuals above this are not zero: degrees, or parts of the object's size.
+HELD_TOLERANCE = 1e-7
+
+
+def unmet_annotations(residuals: Mapping[str, Residual], size_mm: float) -> tuple[str, ...]:
+    """Annotations that do not hold, the worst first."""
+
+    def badness(residual: Residual) -> float:
+        return residual.value / (size_mm if residual.unit == "mm" else 57.3)
+
+    if isinstance(residuals, Residuals):
+        # Most hold to the last digits: look at the others only.
+        residuals = residuals.above(HELD_TOLERANCE * min(size_mm, 57.3))
+    bad = {id_: badness(r) for id_, r in residuals.items() if badness(r) > HELD_TOLERANCE}
+    return tuple(sorted(bad, key=lambda id_: (-bad[id_], id_)))
+
+
+def size_of(X: Array) -> float:
+    """The object's size: the diagonal of its bounding box, mm."""
+    return float(np.linalg.norm(np.ptp(X, axis=0))) if len(X) else 0.0

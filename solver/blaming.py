@@ -175,9 +175,7 @@ def find_blame(
     wish = isinstance(graph.annotations[ids[0]], Length | Diameter)
     if whole.converged and (wish or whole.rms < GROSS_RMS):
         return Blame(ids, f"Solved, but {_or(ids)} contradicts the drawing: {missed}.", True)
-    return Blame(
-        ids, f"{_or(ids)} contradicts the rest: {missed}. Solved without {ids[0]}.", False
-    )
+    return Blame(ids, f"{_or(ids)} contradicts the rest: {missed}. Solved without {ids[0]}.", False)
 
 
 def blame_for_clash(graph: SketchGraph, attempt: Callable[[str], Reading | None]) -> Blame:

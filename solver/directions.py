@@ -32,6 +32,9 @@ from .topology import Chains, Topology, chains
 from .union_find import UnionFind
 from .values import IntArray
 
+#: So few are merged one by one sooner than by a sparse graph.
+FEW_PAIRS = 500
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Directions:
@@ -53,6 +56,11 @@ class Directions:
 
 def first_members(pairs: IntArray, n: int) -> IntArray:
     """Merge 0 ... n-1 as the pairs (k, 2) say; the smallest member of everyone's set, (n,)."""
+    if len(pairs) < FEW_PAIRS:
+        sets = UnionFind(n)
+        for i, j in pairs.tolist():
+            sets.union(i, j)
+        return np.array(sets.labels(), dtype=np.int64)
     ones = np.ones(len(pairs), dtype=np.int8)
     graph = coo_array((ones, (pairs[:, 0], pairs[:, 1])), shape=(n, n))
     _, labels = connected_components(graph, directed=False)

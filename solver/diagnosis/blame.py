@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+
 import numpy as np
 from scipy.special import fdtrc
 
@@ -23,7 +24,7 @@ COMPARABLE = 0.25
 CHANCE, CHANCE_AS_DRAWN = 1e-5, 2e-3
 #: How many observations the knowledge of how people draw counts for.
 USUAL_COUNT = 6
-NOTICEABLE = 0.0005
+NOTICEABLE = 0.005
 #: Drawings are no better than this, in parts of their diagonal.
 FINEST = 1e-5
 

@@ -18,9 +18,9 @@ from ..annotations import targets_of
 from ..graph import SketchGraph
 from ..structure import build_structure
 
-#: How often it may be asked whether some annotations agree; a clash that is not smallest by then
-#: is told as far as it was found.
-MAX_QUESTIONS = 60
+#: How often it may be asked whether some annotations agree, to find the culprits and then what they
+#: clash with; a clash that is not complete by then is told as far as it was found.
+MAX_QUESTIONS, MORE_QUESTIONS = 60, 24
 #: How many parts are left out in turn, to see which holds the culprit.
 PARTS = 6
 
@@ -50,6 +50,7 @@ def find_clash(graph: SketchGraph) -> Clash:
     """A smallest clash among annotations of which it is known that they cannot all hold."""
     search = _Search(graph)
     culprits = sorted(search.culprits(), key=search.said.index, reverse=True)
+    search.limit = len(search.asked) + MORE_QUESTIONS
     clash = search.smallest((culprits or search.said[-1:])[0])
     return Clash(tuple(culprits), tuple(k for k in search.said if k in clash - set(culprits)))
 
@@ -66,6 +67,7 @@ class _Search:
         self.graph = graph
         self.said = list(graph.annotations)
         self.asked: dict[frozenset[str], bool] = {}
+        self.limit = MAX_QUESTIONS
 
     def agree(self, ids: Iterable[str]) -> bool:
         """Whether no contradiction follows from these; not known, and False, after too many."""
@@ -80,7 +82,7 @@ class _Search:
     @property
     def tired(self) -> bool:
         """Whether enough was asked."""
-        return len(self.asked) >= MAX_QUESTIONS
+        return len(self.asked) >= self.limit
 
     def culprits(self) -> list[str]:
         """All annotations without any one of which the others agree.

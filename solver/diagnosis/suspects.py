@@ -192,7 +192,8 @@ class _Springs:
             A, b = _normal(at, self.stiffness / (1 + (at.h / YIELD) ** 2))
             diagonal = np.diag(A)
             A[np.diag_indices(len(A))] += mu * (diagonal + 1e-6 * float(diagonal.max()))
-            moved = self.soft.retract(x, -np.linalg.solve(A, b))
+            step = np.asarray(-np.linalg.solve(A, b), dtype=np.float64)
+            moved = self.soft.retract(x, step)
             after = None if moved is None else self.soft.evaluate(moved)
             new = np.inf if moved is None or after is None else self._energy(moved, after.h)
             if moved is None or after is None or not new <= energy:

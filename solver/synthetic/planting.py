@@ -54,7 +54,7 @@ def planted(photo: Photograph, rng: np.random.Generator, kind: str) -> SketchGra
         return None
     false = offered[int(rng.integers(len(offered)))]
     said = list(graph.annotations.items())
-    if kind == Length.kind:
+    if isinstance(false, Length):
         # Of two lengths that disagree either may be wrong: a third one decides.
         true = [a for a in _true_lengths(photo.shape) if a.edge != false.edge]
         said.append(("true_length", true[int(rng.integers(len(true)))]))

@@ -50,7 +50,7 @@ def find_clash(graph: SketchGraph) -> Clash:
     """A smallest clash among annotations of which it is known that they cannot all hold."""
     search = _Search(graph)
     culprits = sorted(search.culprits(), key=search.said.index, reverse=True)
-    search.limit = len(search.asked) + MORE_QUESTIONS
+    search.limit = len(search.asked) + max(MORE_QUESTIONS, MORE_AMONG_FEW // len(search.said))
     clash = search.smallest((culprits or search.said[-1:])[0])
     return Clash(tuple(culprits), tuple(k for k in search.said if k in clash - set(culprits)))
 

@@ -18,9 +18,11 @@ from ..annotations import targets_of
 from ..graph import SketchGraph
 from ..structure import build_structure
 
-#: How often it may be asked whether some annotations agree, to find the culprits and then what they
-#: clash with; a clash that is not complete by then is told as far as it was found.
-MAX_QUESTIONS, MORE_QUESTIONS = 60, 24
+#: How often it may be asked whether some annotations agree, to find the culprits.
+MAX_QUESTIONS = 60
+#: How often after that, to find what they clash with; fewer times among many annotations, where
+#: each answer takes longer. A clash that is not complete by then is told as far as it was found.
+MORE_QUESTIONS, MORE_AMONG_FEW = 24, 3000
 #: How many parts are left out in turn, to see which holds the culprit.
 PARTS = 6
 

@@ -17,6 +17,7 @@ _PLAIN = {
     _Qt.Key_X: "construction",
     _Qt.Key_Space: "pan",
     _Qt.Key_F: "fit",
+    _Qt.Key_Y: "suggestions",
     _Qt.Key_Home: "fit",
     **{getattr(_Qt, f"Key_{letter}"): letter for letter in KEYS},
 }

@@ -24,12 +24,17 @@ CONFLICT = "#ff0022"
 TEXT = "#2e3436"
 LEFT_OUT = "#1769c9"
 OUTSIDE = "#5c6066"
+GHOST = "#6a3fb5"
+"""Of what is suggested."""
 LIFTED = "#39b6a8"
 """Of the lifted shape's faces, where they lie in the photo."""
 LIFTED_LINE = "#0b7a6e"
 
 EDGE_PX = 2.0
 LIFTED_PX = 1.4
+GHOST_PX = 20.0
+"""Side of a suggested right angle: larger than a said one, to be clicked beside the vertex."""
+PLUS_PX = 5.0
 CONSTRUCTION_PX = 1.6
 CASING_PX = 1.2
 """How far the casing looks out on both sides of a line."""

@@ -7,11 +7,14 @@ from typing import TYPE_CHECKING
 
 from . import keys, overlay, previews, style, symbols, turning
 from .drawing import Drawing, Listener
+from .evident import taken
+from .ghosts import Ghosts
 from .length_editor import LengthEditor
 from .lift_painting import paint_lift
 from .lifted import LiftedView
 from .marks import Marks, marks_of
 from .photo_view import PhotoView
+from .plane import middle
 from .preview import Selection
 from .qt import QtCore, QtGui, position_of
 from .questions import Question
@@ -19,6 +22,7 @@ from .tools import KEYS
 from .tools.base import Pointer
 
 if TYPE_CHECKING:
+    from ...solver.annotations import Annotation
     from ...solver.graph import Point, SketchGraph
     from .solved import Solved
 
@@ -69,6 +73,7 @@ class SketchView(PhotoView):
         self._findings = overlay.Findings()
         self._hint = ""
         self._lifted = LiftedView()
+        self._ghosts = Ghosts()
         self._marked: tuple[object, Marks] | None = None
         self._told: tuple[SketchGraph, Selection] = (graph, Selection())
         listener = Listener(self.graph_edited.emit, self._refresh, self._ask)
@@ -100,6 +105,39 @@ class SketchView(PhotoView):
     def lifted(self) -> LiftedView:
         """Where the lifted shape lies in the photo."""
         return self._lifted
+
+    def edit(self, graph: SketchGraph, words: str) -> None:
+        """Make a graph that was edited elsewhere the document's, as one step to undo."""
+        self._drawing.commit(graph, words)
+
+    def go_to(self, id_: str) -> None:
+        """Select a vertex, an edge, a circle or an annotation, and bring it into view."""
+        one = frozenset((id_,))
+        self.select(Selection(one, one, one, one))
+        chosen = self.selection.with_targets(self.graph)
+        ends = [v for e in chosen.edges for v in self.graph.edges[e]]
+        places = [self.graph.vertices[v] for v in (*chosen.vertices, *ends)]
+        places += [p for c in chosen.circles for p in self.graph.circles[c].a]
+        if places:
+            self.ensureVisible(QtCore.QRectF(QtCore.QPointF(*middle(places)), QtCore.QSizeF(1, 1)))
+        self.setFocus()
+
+    @property
+    def suggestions(self) -> tuple[Annotation, ...]:
+        """What the lift makes evident, for a person to take."""
+        return self._ghosts.suggestions
+
+    def set_suggestions(self, suggestions: tuple[Annotation, ...]) -> None:
+        """Show as ghosts what the lift makes evident."""
+        self._ghosts.offer(self.graph, suggestions)
+        self.viewport().update()
+
+    def take_suggestions(self, suggestions: tuple[Annotation, ...] | None = None) -> None:
+        """Say what was suggested, all of it or some, in one step to undo."""
+        chosen = self.suggestions if suggestions is None else suggestions
+        committed = self._drawing.committed
+        if chosen and self.graph is committed:
+            self._drawing.commit(taken(committed, chosen), "Take suggestions")
 
     @property
     def selection(self) -> Selection:
@@ -143,6 +181,7 @@ class SketchView(PhotoView):
             self.hint_changed.emit(self._hint)
         (graph, selection), self._told = self._told, (self.graph, self.selection)
         if graph is not self.graph:
+            self._ghosts.follow(self.graph)
             self.graph_shown.emit(self.graph)
         if selection != self.selection:
             self.selection_changed.emit(self.selection)
@@ -165,6 +204,7 @@ class SketchView(PhotoView):
         )
         previews.paint_below(painter, scene, work)
         overlay.paint(painter, scene)
+        self._ghosts.paint(painter, scene)
         previews.paint_above(painter, scene, work)
         if not graph.vertices and not graph.circles and not work.preview.strokes:
             previews.paint_invitation(painter, self.viewport().rect(), self.invitation)
@@ -194,7 +234,10 @@ class SketchView(PhotoView):
         super().mousePressEvent(event)
         self._editor.close_unsaid()
         if event.button() == _Qt.LeftButton and not self.is_panning:
-            self._drawing.press(self._pointer(event))
+            if self._ghosts.lit is not None:
+                self.take_suggestions((self._ghosts.lit,))
+            else:
+                self._drawing.press(self._pointer(event))
         elif event.button() == _Qt.RightButton:
             self._drawing.finish()
 
@@ -203,6 +246,7 @@ class SketchView(PhotoView):
         super().mouseMoveEvent(event)
         if not self.is_panning:
             self._drawing.move(self._pointer(event))
+            self._point_at_ghosts(event)
 
     def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:  # noqa: N802
         """Let go of the photo, or let the tool end."""
@@ -211,11 +255,21 @@ class SketchView(PhotoView):
         if event.button() == _Qt.LeftButton and not was_panning:
             self._drawing.release(self._pointer(event))
 
+    def _point_at_ghosts(self, event: QtGui.QMouseEvent) -> None:
+        """Light the ghost under the pointer; it is there for who selects, and draws nothing."""
+        at_vertex = bool(self._drawing.preview.lit.vertices)
+        free = self.tool_name == "select" and not event.buttons() and not at_vertex
+        where = (float(event.pos().x()), float(event.pos().y()))
+        if self._ghosts.point_at(where if free else None):
+            self._refresh()
+
     def cursor_shape(self) -> _Qt.CursorShape:
         """See `PhotoView.cursor_shape`; a cross draws, what can be moved says so."""
         shape = super().cursor_shape()
         if shape != _Qt.ArrowCursor:
             return shape
+        if self._ghosts.lit is not None:
+            return _Qt.PointingHandCursor
         tool = self._drawing.tool
         return _Qt.SizeAllCursor if tool.can_move else _Qt.CrossCursor if tool.CROSS else shape
 
@@ -247,6 +301,7 @@ class SketchView(PhotoView):
             "enter": self._drawing.finish,
             "delete": self._drawing.delete,
             "all": self._select_all,
+            "suggestions": self.take_suggestions,
             "construction": self._drawing.toggle_construction,
         }.get(meaning)
         if action is None:

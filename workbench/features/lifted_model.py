@@ -44,7 +44,9 @@ class LiftedModel(Proxy):
             fail(obj, "unreadable", in_words(error))
             return
         if solution.status.value != "converged":
-            fail(obj, solution.status.value, solution.message)
+            # No fault: a sketch in the making is so most of the time.
+            set_outcome(obj, solution.status.value, solution.message)
+            host.note(f"{obj.Label}: {solution.message}")
             return
         _show(obj, solution)
 

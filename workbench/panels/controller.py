@@ -6,9 +6,11 @@ nothing of it; the end of a gesture is one step of the document.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from .. import host
+from ..canvas.evident import evident
 from ..canvas.lifted import LiftedView, lifted_view
 from ..canvas.photo import PhotoError, load_photo
 from ..canvas.solved import Solved
@@ -40,6 +42,8 @@ class SketchController:
         self.lifting = Lifting(self.tab)
         #: The last lift: what it is of, and what came of it.
         self.lift: tuple[SketchGraph, Solution] | None = None
+        #: Told of every new lift.
+        self.on_news: Callable[[], None] = lambda: None
         self._solved: Solved | None = None
         self.tab.view.graph_edited.connect(self.write)
         self.tab.view.undo_asked.connect(self.undo)
@@ -119,6 +123,7 @@ class SketchController:
         else:
             self._show_solution(solution, in_hand=True)
             self._say(solution)
+            self.on_news()
 
     def _show_solution(self, solution: Solution, *, in_hand: bool) -> None:
         view = self.tab.view
@@ -134,6 +139,7 @@ class SketchController:
         self.lift = self._solved = None
         self.tab.view.set_solved(None)
         self.tab.view.set_lifted(LiftedView())
+        self.tab.view.set_suggestions(())
         self.tab.view.set_findings((), ())
         self.preview.hide()
 
@@ -159,7 +165,9 @@ class SketchController:
             self.lift = (graph, solution)
             self._take_solved(graph, solution)
             self._show_solution(solution, in_hand=False)
+            self.tab.view.set_suggestions(evident(graph, solution))
         self._say_all(solution)
+        self.on_news()
 
     def _say_all(self, solution: Solution | None) -> None:
         objects = [self.obj, *_dependents(self.obj)]
@@ -174,6 +182,10 @@ class SketchController:
             words = [self.obj.Message if solution is None else solution.message]
         joined = " \N{MIDDLE DOT} ".join(w.rstrip(".") for w in words if w)
         self.tab.show_outcome(joined, good=True)
+
+    def parameter_words(self) -> str:
+        """How many numbers the solve has to find."""
+        return ""
 
     def close(self) -> None:
         """The tab goes: leave nothing behind in the 3D view."""

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from functools import partial
+from html import escape
 from typing import TYPE_CHECKING
 
 from .. import host
@@ -28,7 +30,10 @@ class SketchTab(QtGui.QWidget):
         self.view = SketchView(graph, image)
         self._light = QtGui.QLabel()
         self._light.setFixedSize(10, 10)
+        self._outcome = ""
         self._words = QtGui.QLabel()
+        self._words.setTextFormat(_Qt.RichText)
+        self._words.linkActivated.connect(self.view.go_to)
         self._hint = QtGui.QLabel()
         self._hint.setContentsMargins(8, 3, 8, 0)
         self._hint.setSizePolicy(QtGui.QSizePolicy.Ignored, QtGui.QSizePolicy.Preferred)
@@ -85,7 +90,15 @@ class SketchTab(QtGui.QWidget):
     @property
     def outcome(self) -> str:
         """What is said of the last solve."""
-        return self._words.text()
+        return self._outcome
+
+    @property
+    def outcome_with_links(self) -> str:
+        """The same for people, each vertex, edge and annotation as a link that goes there."""
+        graph = self.view.graph
+        ids = {*graph.vertices, *graph.edges, *graph.circles, *graph.annotations}
+        words = re.split(r"([\w@]+)", self._outcome)
+        return "".join(f'<a href="{w}">{w}</a>' if w in ids else escape(w) for w in words)
 
     def show_hint(self, words: str) -> None:
         """Say what to do next."""
@@ -96,5 +109,6 @@ class SketchTab(QtGui.QWidget):
         colour = GOOD if good else BAD
         self._light.setVisible(bool(words))
         self._light.setStyleSheet(f"background: {colour}; border-radius: 5px;")
-        self._words.setText(words)
+        self._outcome = words
+        self._words.setText(self.outcome_with_links)
         self._words.setToolTip(words)

@@ -80,6 +80,7 @@ def _add_to_window(controller: SketchController) -> None:
     key = _key(controller.obj)
     controller.tab.destroyed.connect(lambda *_: _forget(key, controller))
     _keep_buttons_right(controller)
+    _list_annotations(controller)
 
 
 def _keep_buttons_right(controller: SketchController) -> None:
@@ -89,6 +90,12 @@ def _keep_buttons_right(controller: SketchController) -> None:
     controller.tab.view.tool_changed.connect(show_active_tool)
     if not _OBSERVER.started:
         mdi_area().subWindowActivated.connect(show_active_tool)
+
+
+def _list_annotations(controller: SketchController) -> None:
+    from .annotation_dock import follow
+
+    follow(controller)
 
 
 def _forget(key: _Key, controller: SketchController) -> None:

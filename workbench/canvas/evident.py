@@ -1,0 +1,154 @@
+"""What the lifted shape makes evident and nobody has said yet: pure, no Qt.
+
+Only suggested, never taken silently: real walls have 89 degrees.
+
+Terms
+-----
+nearly
+    True within a hand's error, and not to the last digits: what holds exactly follows from what
+    is said already, and saying it again would tell the solver nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from itertools import combinations
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ...solver.annotating import annotate, toggle_ground
+from ...solver.annotations import Annotation, Ground, Parallel, RightAngle
+from .suggestions import quads
+
+if TYPE_CHECKING:
+    from ...solver.graph import SketchGraph
+    from ...solver.solution import Solution
+
+#: Between these an angle is nearly what it should be, degrees.
+NEARLY_DEG = (1e-3, 4.0)
+#: Between these parts of the object's size a vertex is nearly on the ground.
+NEARLY_ON_GROUND = (1e-6, 0.015)
+#: More would cover the drawing; the surest come first.
+MOST = 12
+
+
+def evident(graph: SketchGraph, solution: Solution) -> tuple[Annotation, ...]:
+    """Annotations that the lift suggests.
+
+    Parameters
+    ----------
+    graph : SketchGraph
+        What was solved.
+    solution : Solution
+        Nothing is evident where annotations disagree.
+    """
+    if solution.status.value not in ("converged", "underdetermined"):
+        return ()
+    if not solution.vertices_mm or not all(v in solution.vertices_mm for v in graph.vertices):
+        return ()
+    right = sorted(_right_angles(graph, solution), key=lambda found: found[0])
+    found: list[Annotation] = [annotation for _, annotation in right]
+    # A rectangle's right angles say its parallels as well.
+    square = {e for a in found if isinstance(a, RightAngle) for e in a.between}
+    square |= {e for a in graph.annotations_of("right_angle").values() for e in a.between}
+    parallel = sorted(_parallels(graph, solution, square), key=lambda found: found[0])
+    groups = _joined(annotation for _, annotation in parallel)
+    found = [*_ground(graph, solution), *found, *groups]
+    return tuple(found[:MOST])
+
+
+def _right_angles(graph: SketchGraph, solution: Solution) -> Iterator[tuple[float, Annotation]]:
+    said = {(a.at, frozenset(a.between)) for a in graph.annotations_of("right_angle").values()}
+    at: dict[str, list[str]] = {v: [] for v in graph.vertices}
+    for edge, ends in graph.edges.items():
+        for v in ends:
+            at[v].append(edge)
+    for v, edges in at.items():
+        for a, b in combinations(edges, 2):
+            off = abs(_angle_deg(graph, solution, a, b) - 90.0)
+            if _is_nearly(off) and (v, frozenset((a, b))) not in said:
+                yield off, RightAngle(v, (a, b))
+
+
+def _parallels(
+    graph: SketchGraph, solution: Solution, square: set[str]
+) -> Iterator[tuple[float, Annotation]]:
+    """Opposite sides of quadrilaterals, each pair once."""
+    groups = [set(a.edges) for a in graph.annotations_of("parallel").values()]
+    seen: set[frozenset[str]] = set()
+    for a, b, c, d in quads(graph):
+        for sides in (((a, b), (d, c)), ((b, c), (a, d))):
+            pair = tuple(e for e in (graph.edge_between(*side) for side in sides) if e)
+            key = frozenset(pair)
+            if len(key) < 2 or key in seen or key <= square or any(key <= g for g in groups):
+                continue
+            seen.add(key)
+            angle = _angle_deg(graph, solution, *pair)
+            off = min(angle, 180.0 - angle)
+            if _is_nearly(off):
+                yield off, Parallel(pair)
+
+
+def _joined(parallels: Iterable[Annotation]) -> list[Annotation]:
+    """Pairs with an edge in common as one group."""
+    groups: list[tuple[str, ...]] = []
+    for pair in (a.edges for a in parallels):
+        touching = [g for g in groups if set(g) & set(pair)]
+        groups = [g for g in groups if g not in touching]
+        groups.append(tuple(dict.fromkeys(e for g in (*touching, pair) for e in g)))
+    return [Parallel(group) for group in groups]
+
+
+def _ground(graph: SketchGraph, solution: Solution) -> Iterator[Annotation]:
+    heights = {v: float(solution.vertices_mm[v][2]) for v in graph.vertices}
+    points = np.array([solution.vertices_mm[v] for v in graph.vertices])
+    size = float(np.linalg.norm(np.ptp(points, axis=0)))
+    said = {v for a in graph.annotations_of("ground").values() for v in a.vertices}
+    if said:
+        least, most = (part * size for part in NEARLY_ON_GROUND)
+        low = [v for v, z in heights.items() if v not in said and least < abs(z) < most]
+    else:
+        lowest = min(heights.values())
+        low = [v for v, z in heights.items() if z - lowest < NEARLY_ON_GROUND[1] * size]
+        low = low if len(low) > 2 else []
+    if low:
+        yield Ground(tuple(low))
+
+
+def _angle_deg(graph: SketchGraph, solution: Solution, a: str, b: str) -> float:
+    (a1, a2), (b1, b2) = graph.edges[a], graph.edges[b]
+    x = solution.vertices_mm
+    u, v = x[a2] - x[a1], x[b2] - x[b1]
+    if a1 != b1 and a2 == b2:
+        u, v = -u, -v
+    return float(np.degrees(np.arctan2(np.linalg.norm(np.cross(u, v)), u @ v)))
+
+
+def _is_nearly(off_deg: float) -> bool:
+    return NEARLY_DEG[0] < off_deg < NEARLY_DEG[1]
+
+
+def taken(graph: SketchGraph, suggestions: Iterable[Annotation]) -> SketchGraph:
+    """The graph with what was suggested said."""
+    for suggestion in suggestions:
+        if isinstance(suggestion, Ground):
+            on_it = {v for a in graph.annotations_of("ground").values() for v in a.vertices}
+            new = [v for v in suggestion.vertices if v not in on_it]
+            graph = toggle_ground(graph, new) if new else graph
+        else:
+            graph = annotate(graph, suggestion)[0]
+    return graph
+
+
+def still_open(graph: SketchGraph, suggestions: Iterable[Annotation]) -> tuple[Annotation, ...]:
+    """The suggestions whose vertices and edges are all there, and that nobody has said since."""
+    there = set(graph.vertices) | set(graph.edges)
+    known = [s for s in suggestions if there.issuperset(_named(s))]
+    return tuple(s for s in known if taken(graph, (s,)) is not graph)
+
+
+def _named(annotation: Annotation) -> set[str]:
+    if isinstance(annotation, RightAngle):
+        return {annotation.at, *annotation.between}
+    return set(annotation.vertices if isinstance(annotation, Ground) else annotation.edges)

@@ -19,7 +19,7 @@ import numpy as np
 
 from ...solver.annotating import annotate, toggle_ground
 from ...solver.annotations import Annotation, Ground, Parallel, RightAngle
-from .suggestions import quads
+from .loops import quads
 
 if TYPE_CHECKING:
     from ...solver.graph import SketchGraph
@@ -77,9 +77,10 @@ def _parallels(
     """Opposite sides of quadrilaterals, each pair once."""
     groups = [set(a.edges) for a in graph.annotations_of("parallel").values()]
     seen: set[frozenset[str]] = set()
-    for a, b, c, d in quads(graph):
-        for sides in (((a, b), (d, c)), ((b, c), (a, d))):
-            pair = tuple(e for e in (graph.edge_between(*side) for side in sides) if e)
+    for quad in quads(graph):
+        first = [graph.edge_between(*side[:2]) for side in quad.sides]
+        for k in (0, 1):
+            pair = tuple(e for e in (first[k], first[k + 2]) if e)
             key = frozenset(pair)
             if len(key) < 2 or key in seen or key <= square or any(key <= g for g in groups):
                 continue

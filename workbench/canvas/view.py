@@ -87,6 +87,11 @@ class SketchView(PhotoView):
         """The graph that is shown, in the middle of a drag too."""
         return self._drawing.graph
 
+    @property
+    def is_in_hand(self) -> bool:
+        """Whether what is shown is in the middle of a drag, and not the document's."""
+        return self._drawing.graph is not self._drawing.committed
+
     def set_graph(self, graph: SketchGraph) -> None:
         """Show another graph; ends a drag that is going on."""
         self._drawing.replace_graph(graph)

@@ -12,6 +12,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from ...solver import Drag
     from ...solver.graph import SketchGraph
     from ...solver.model import Model
     from ...solver.solution import Solution
@@ -70,6 +71,20 @@ def lift(graph: SketchGraph, stop: Callable[[], bool] | None = None) -> Solution
     from ...solver import solve
 
     return solve(graph, stop=stop)
+
+
+def begin_drag(graph: SketchGraph, solution: Solution) -> Drag:
+    """Get ready to lift a sketch at each move of the mouse."""
+    from ... import solver
+
+    return solver.begin_drag(graph, solution)
+
+
+def drag(last: Drag, graph: SketchGraph) -> Drag:
+    """The sketch with vertices or circles moved, lifted from the last shape."""
+    from ... import solver
+
+    return solver.drag(last, graph)
 
 
 @lru_cache(maxsize=REMEMBERED)

@@ -37,7 +37,7 @@ def the_panel() -> AnnotationPanel:
         window = FreeCADGui.getMainWindow()
         window.addDockWidget(QtCore.Qt.LeftDockWidgetArea, dock)
         _give_room(window, dock)
-        tabs.mdi_area().subWindowActivated.connect(_turn_to_front)
+        tabs.mdi_area().subWindowActivated.connect(turn_to_front)
     return _shown[0]
 
 
@@ -54,7 +54,7 @@ def _dock() -> QtGui.QDockWidget:
     return FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, _NAME)
 
 
-def _turn_to_front(*_: object) -> None:
+def turn_to_front(*_: object) -> None:
     """Another tab is at the front: show its annotations; hide where none is left."""
     panel, front = the_panel(), tabs.active_tab()
     if front is not None:

@@ -108,8 +108,10 @@ class SketchController:
 
     def _want(self, graph: SketchGraph) -> None:
         """Have the graph that is shown lifted."""
-        if graph.edges or graph.circles:
-            self.lifting.want(graph)
+        if pipeline.known_solution_of(self.obj.Sketch) and graph is self._stored_graph():
+            self.show_outcome()
+        elif graph.edges or graph.circles:
+            self.lifting.want(graph, in_hand=self.tab.view.is_in_hand)
         else:
             self.lifting.forget()
             self._show_nothing()
@@ -117,7 +119,7 @@ class SketchController:
     def _show_lift(self, graph: SketchGraph, solution: Solution) -> None:
         """Show a lift that has just come, of the document's sketch or of one in the hand."""
         self.lift = (graph, solution)
-        if graph == self._stored_graph():
+        if graph is self._stored_graph():
             pipeline.remember_solution(self.obj.Sketch, solution)
             self.show_outcome()
         else:

@@ -4,6 +4,8 @@ Terms
 -----
 wanted
     The graph that was asked for last; older ones are forgotten.
+in hand
+    A graph in the middle of a drag. It is lifted from the last shape, which takes a millisecond.
 at once
     A solve inside the event loop, ended after a blink; most are. What is not done by then goes
     on in a thread: a thread from the start would cost every painting its turns at Python's lock.
@@ -21,12 +23,15 @@ from ..features import pipeline
 from ..problems import known_problems
 
 if TYPE_CHECKING:
+    from ...solver import Drag
     from ...solver.graph import SketchGraph
     from ...solver.solution import Solution
 
 #: A solve may keep the hand waiting so long, in processor time: two pictures at 30 a second.
 #: By the clock, one busy moment of the machine would send every later solve into a thread.
 BLINK_S = 0.06
+#: Qt's priority for events to come before others; a number, which all bindings take.
+ABOVE_PAINTING = 1
 #: How often a thread is asked whether it is done.
 POLL_MS = 15
 #: A solve of a drawing that has changed since is not worth more than this.
@@ -90,35 +95,56 @@ class Lifting(QtCore.QObject):
         super().__init__(parent)
         self._wanted: SketchGraph | None = None
         self._job: _Job | None = None
-        self._last: SketchGraph | None = None
+        self._last: tuple[SketchGraph, Solution] | None = None
+        self._in_hand = False
+        self._drag: Drag | None = None
         self._is_slow = False
-        self._soon = QtCore.QTimer(self)
-        self._soon.setSingleShot(True)
-        self._soon.timeout.connect(self._begin)
+        self._is_told = False
         self._poll = QtCore.QTimer(self)
         self._poll.setInterval(POLL_MS)
         self._poll.timeout.connect(self._look)
 
-    def want(self, graph: SketchGraph) -> None:
-        """Ask for the solution of a graph; what was asked for before is not wanted any more."""
-        if self._last is not None and not _is_alike(self._last, graph):
+    def want(self, graph: SketchGraph, *, in_hand: bool = False) -> None:
+        """Ask for the solution of a graph; what was asked for before is not wanted any more.
+
+        Parameters
+        ----------
+        graph : SketchGraph
+        in_hand : bool
+            True in the middle of a drag: a quick answer from the last shape is good enough.
+        """
+        if self._last is not None and not _is_alike(self._last[0], graph):
             self._is_slow = False
-        self._wanted = graph
+        self._wanted, self._in_hand = graph, in_hand
         if self._job is not None:
             self._stop_if_stale(self._job)
         else:
-            self._soon.start(0)
+            self._soon()
+
+    def _soon(self) -> None:
+        """Begin when what is going on now is done, and before anything is painted."""
+        if not self._is_told:
+            self._is_told = True
+            begin = QtCore.QEvent(QtCore.QEvent.User)
+            QtCore.QCoreApplication.postEvent(self, begin, ABOVE_PAINTING)
+
+    def event(self, event: QtCore.QEvent) -> bool:
+        """Begin."""
+        if event.type() == QtCore.QEvent.User:
+            self._is_told = False
+            self._begin()
+            return True
+        return super().event(event)
 
     def take(self, graph: SketchGraph, solution: Solution) -> None:
         """Somebody else has solved the graph: nothing more is wanted."""
         self.forget()
-        self._last = graph
+        self._last, self._drag = (graph, solution), None
         self._is_slow = solution.report.solve_ms > 1e3 * BLINK_S
 
     def forget(self) -> None:
         """Want nothing."""
         self._wanted = None
-        self._soon.stop()
         if self._job is not None:
             self._job.stop()
 
@@ -132,6 +158,10 @@ class Lifting(QtCore.QObject):
         graph = self._wanted
         if graph is None or self._job is not None:
             return
+        if self._in_hand and self._last is not None and _is_alike(self._last[0], graph):
+            self._follow(graph, self._last)
+            return
+        self._drag = None
         if not self._is_slow:
             began = time.thread_time()
             late = _Late(began + BLINK_S)
@@ -142,6 +172,13 @@ class Lifting(QtCore.QObject):
                 return
         self._job = _Job(graph)
         self._poll.start()
+
+    def _follow(self, graph: SketchGraph, last: tuple[SketchGraph, Solution]) -> None:
+        """A few steps from the last shape; what is to be known of a drag is found at its start."""
+        if self._drag is None:
+            self._drag = pipeline.begin_drag(*last)
+        self._drag = pipeline.drag(self._drag, graph)
+        self._deliver(graph, self._drag.solution)
 
     def _look(self) -> None:
         job = self._job
@@ -158,7 +195,7 @@ class Lifting(QtCore.QObject):
             if self._wanted is not None and _is_alike(job.graph, self._wanted):
                 self._deliver(job.graph, job.solution)
         if self._wanted is not None:
-            self._soon.start(0)
+            self._soon()
 
     def _stop_if_stale(self, job: _Job) -> None:
         wanted = self._wanted
@@ -169,10 +206,10 @@ class Lifting(QtCore.QObject):
             job.stop()
 
     def _deliver(self, graph: SketchGraph, solution: Solution | None) -> None:
-        self._last = graph
         if graph is self._wanted:
             self._wanted = None
         if solution is not None:
+            self._last = (graph, solution)
             self.lifted.emit(graph, solution)
 
 

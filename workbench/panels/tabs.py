@@ -98,11 +98,19 @@ def _list_annotations(controller: SketchController) -> None:
     follow(controller)
 
 
+def _leave(controller: SketchController) -> None:
+    """Leave nothing of a tab that is gone."""
+    from .annotation_dock import turn_to_front
+
+    controller.close()
+    turn_to_front()
+
+
 def _forget(key: _Key, controller: SketchController) -> None:
     """A tab is gone; a new document of the same name may have a tab of its own by now."""
-    controller.close()
     if _open.get(key) is controller:
         del _open[key]
+    _leave(controller)
 
 
 class _MdiView:
@@ -194,7 +202,7 @@ def _show_outcomes(document: Any) -> None:
 def _close(key: _Key) -> None:
     controller = _open.pop(key, None)
     if controller is not None:
-        controller.close()
+        _leave(controller)
         subwindow = subwindow_of(controller.tab)
         # Not at once: FreeCAD is in the middle of taking the document apart.
         QtCore.QTimer.singleShot(0, subwindow.close if subwindow else controller.tab.close)

@@ -16,6 +16,7 @@ Necker twin
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,7 +25,7 @@ from scipy.spatial.transform import Rotation
 from .circles import tilted_views
 from .geometry import cross
 from .problem import Problem
-from .values import Array, IntArray
+from .values import Array, BoolArray, IntArray
 
 #: Focal lengths beyond these, in image units, are no camera a person holds.
 LOG_FOCAL_RANGE = (float(np.log(0.4)), float(np.log(40.0)))
@@ -290,12 +291,21 @@ def _grid(
 
 def _apart(best: NDArray[np.int64]) -> list[int]:
     """Of the best views, at most four that differ by more than about 25 degrees."""
+    alike = _alike()
     kept: list[int] = []
     for i in best.tolist():
-        alike = [np.abs(np.einsum("ij,ij->j", _VIEWS[i], _VIEWS[k])).min() > 0.9 for k in kept]
-        if not any(alike):
+        if not alike[i, kept].any():
             kept.append(i)
-    return kept[:4]
+        if len(kept) == 4:
+            break
+    return kept
+
+
+@lru_cache(maxsize=1)
+def _alike() -> BoolArray:
+    """Which of the fixed views are within about 25 degrees of each other, up to axes' signs."""
+    cosines = np.abs(np.einsum("aij,bij->abj", _VIEWS, _VIEWS))
+    return np.asarray(cosines.min(axis=2) > 0.9)
 
 
 def _fixed_views() -> Array:

@@ -30,6 +30,7 @@ PENALTIES = (1e0, 1e2, 1e4)
 LAST_PENALTY = 1e9
 #: A gain this small against the cost moves the shape by far less than a person can draw.
 ENOUGH = 1e-11
+FIRST_DAMPING = 1e-8
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -72,12 +73,13 @@ class Objective(Protocol[X]):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Minimum(Generic[X]):
-    """Where the minimisation ended."""
+    """Where the minimisation ended, and the damping with which it can go on."""
 
     x: X
     iterations: int
     converged: bool
     cost: float
+    damping: float = FIRST_DAMPING
 
 
 def minimise(
@@ -87,6 +89,7 @@ def minimise(
     max_iterations: int = 100,
     enough: float = ENOUGH,
     near: bool = False,
+    damping: float = FIRST_DAMPING,
     stop: Callable[[], bool] | None = None,
 ) -> Minimum[X]:
     """Minimise from x.
@@ -101,6 +104,8 @@ def minimise(
         The work is done when a step gains less than this part of the cost.
     near : bool
         Whether x nearly is the minimum: the rising weights are then left out.
+    damping : float
+        Of the first step.
     stop : callable, optional
         Asked between iterations; True ends the work.
 
@@ -110,7 +115,7 @@ def minimise(
     """
     # Wild points overflow on the way; each step is judged by a finite merit.
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
-        phase = _Phase(LAST_PENALTY, max_iterations, enough, True)
+        phase = _Phase(LAST_PENALTY, max_iterations, enough, True, damping)
         return _minimise(objective, x, () if near else PENALTIES, phase, stop)
 
 
@@ -123,11 +128,12 @@ def _minimise(
 ) -> Minimum[X]:
     iterations = 0
     for rho in penalties if objective.constrained else ():
-        x, used, _ = _descend(objective, x, _Phase(rho, 6, 1e-4, False), stop)
-        iterations += used
+        reached = _descend(objective, x, _Phase(rho, 6, 1e-4, False), stop)
+        x = reached.x
+        iterations += reached.iterations
     last = replace(last, budget=max(1, last.budget - iterations))
-    x, used, converged = _descend(objective, x, last, stop)
-    return Minimum(x, iterations + used, converged, objective.merit(x, 0.0))
+    reached = _descend(objective, x, last, stop)
+    return replace(reached, iterations=iterations + reached.iterations)
 
 
 @dataclass(frozen=True, slots=True)
@@ -142,13 +148,14 @@ class _Phase:
     budget: int
     enough: float
     last: bool
+    damping: float = FIRST_DAMPING
 
 
 def _descend(
     objective: Objective[X], x: X, phase: _Phase, stop: Callable[[], bool] | None
-) -> tuple[X, int, bool]:
+) -> Minimum[X]:
     """Levenberg-Marquardt at one penalty weight."""
-    mu = 1e-8
+    mu = phase.damping
     rho = 0.0 if phase.last else phase.rho
     if phase.last:
         x = objective.restore(x)
@@ -156,7 +163,7 @@ def _descend(
     cost = objective.merit(x, rho)
     for iteration in range(phase.budget):
         if stop is not None and stop():
-            return x, iteration, False
+            return Minimum(x, iteration, False, cost, mu)
         at = at or objective.evaluate(x)
         step = _step(at, phase.rho, mu)
         size = np.inf if step is None else float(np.abs(step).max(initial=0.0))
@@ -169,14 +176,14 @@ def _descend(
             x, cost, at = moved, new_cost, None
             mu = max(mu / 10, 1e-12)
             if size < 1e-12 or gain <= phase.enough * cost:
-                return x, iteration + 1, True
+                return Minimum(x, iteration + 1, True, cost, mu)
         else:
             if size < 1e-9:
-                return x, iteration + 1, True
+                return Minimum(x, iteration + 1, True, cost, mu)
             mu = max(mu * 10, 1e-6)
             if mu > 1e8:
-                return x, iteration + 1, False
-    return x, phase.budget, False
+                return Minimum(x, iteration + 1, False, cost, mu)
+    return Minimum(x, phase.budget, False, cost, mu)
 
 
 def _step(at: Evaluation, rho: float, mu: float) -> Array | None:

@@ -12,7 +12,6 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from functools import partial
 
 import numpy as np
 
@@ -60,6 +59,9 @@ MAX_STARTS = 9
 #: Iterations to tell promising views from others, views that are finished, iterations for those.
 TRIAL_ITERATIONS = 14
 TRIAL_ENOUGH = 1e-3
+SOME_ITERATIONS = 4
+#: What gained no more and still costs so much more than the best is not looked at again.
+SETTLED = 1.1
 MAX_FINISHED = 2
 MAX_ITERATIONS = 100
 #: Nothing is left to gain below this: a vertex is met to 1e-13 of the photo.
@@ -246,44 +248,76 @@ def _best(
     """
     full = FullProblem(problem, prior)
 
-    def carry_on(pose: Pose, enough: float, *, near: bool) -> _Lifted:
+    def begin(pose: Pose) -> _Lifted:
+        some = TRIAL_ITERATIONS if full.constrained else SOME_ITERATIONS
+        minimum = minimise(full, pose, max_iterations=some, enough=TRIAL_ENOUGH, stop=stop)
+        above = camera_above_ground(graph, problem, minimum.x)
+        return _Lifted(problem, full, minimum, above)
+
+    def carry_on(last: Minimum[Pose], enough: float) -> _Lifted:
         minimum = minimise(
-            full, pose, max_iterations=TRIAL_ITERATIONS, enough=enough, near=near, stop=stop
+            full,
+            last.x,
+            max_iterations=SOME_ITERATIONS,
+            enough=enough,
+            near=True,
+            damping=last.damping,
+            stop=stop,
         )
         above = camera_above_ground(graph, problem, minimum.x)
         return _Lifted(problem, full, minimum, above)
 
     tried: list[_Lifted] = []
-    tolerated = np.inf
+    tolerated, least = np.inf, np.inf
     for view in starts(problem)[:MAX_STARTS]:
         pose = _initial_pose(problem, view) if view.misfit <= tolerated else None
         if pose is None:
             continue
-        tried.append(carry_on(pose, TRIAL_ENOUGH, near=False))
+        pursuit = _Pursuit(carry_on, TRIAL_ENOUGH, TRIAL_ITERATIONS, least)
+        tried.append(pursuit.of(begin(pose)))
         if _is_exact(tried[-1]):
             break
         if wary and len(tried) == 1 and is_doubtful(graph, tried[0]):
             return replace(tried[0], doubtful=True)
         if tried[-1].above and tried[-1].minimum.converged:
             tolerated = min(tolerated, RIVAL * view.misfit + 1e-20)
+            least = min(least, tried[-1].minimum.cost)
     finished: list[_Lifted] = []
     for t in _promising(graph, tried):
         least = min((f.minimum.cost for f in finished), default=np.inf)
-        finished.append(_finish(t, partial(carry_on, enough=ENOUGH, near=True), least))
+        settled = t.minimum.converged and t.minimum.cost > SETTLED * least
+        pursuit = _Pursuit(carry_on, ENOUGH, MAX_ITERATIONS, least)
+        finished.append(t if settled else pursuit.of(replace(t, minimum=_open(t.minimum))))
     return _preferred(graph, finished)[0] if finished else None
 
 
-def _finish(t: _Lifted, carry_on: Callable[[Pose], _Lifted], least: float) -> _Lifted:
-    """Go on to the minimum, as long as the least cost known so far seems within reach."""
-    used = t.minimum.iterations
-    while used < MAX_ITERATIONS and t.minimum.cost > EXACT_COST:
-        before = t.minimum.cost
-        t = carry_on(t.minimum.x)
-        used += t.minimum.iterations
-        gain = before - t.minimum.cost
-        if t.minimum.converged or not gain > max(0.0, REACH * (t.minimum.cost - least)):
-            break
-    return replace(t, minimum=replace(t.minimum, iterations=used))
+def _open(minimum: Minimum[Pose]) -> Minimum[Pose]:
+    """Converged roughly is not converged."""
+    return replace(minimum, converged=minimum.cost <= EXACT_COST)
+
+
+@dataclass(frozen=True, slots=True)
+class _Pursuit:
+    """Going on, as long as the least cost known so far seems within reach."""
+
+    carry_on: Callable[[Minimum[Pose], float], _Lifted]
+    enough: float
+    max_iterations: int
+    least: float
+
+    def of(self, t: _Lifted) -> _Lifted:
+        used = t.minimum.iterations
+        while used < self.max_iterations and not t.minimum.converged:
+            before = t.minimum.cost
+            t = self.carry_on(t.minimum, self.enough)
+            used += t.minimum.iterations
+            # A stop, and a damping beyond use, end it as well.
+            stuck = t.minimum.iterations < SOME_ITERATIONS
+            beyond = self.least < t.minimum.cost
+            gain = before - t.minimum.cost
+            if stuck or (beyond and gain < REACH * (t.minimum.cost - self.least)):
+                break
+        return replace(t, minimum=replace(t.minimum, iterations=used))
 
 
 def _promising(graph: SketchGraph, tried: list[_Lifted]) -> list[_Lifted]:

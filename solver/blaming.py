@@ -30,7 +30,7 @@ from .diagnosis import (
 )
 from .full import FullProblem, Pose
 from .graph import SketchGraph
-from .least_squares import Minimum, minimise
+from .least_squares import EXACT_COST, Minimum, minimise
 from .problem import Problem, build_problem
 from .structure import Structure, build_structure
 from .world import camera_above_ground, nothing_sinks
@@ -127,6 +127,8 @@ def is_doubtful(graph: SketchGraph, lifted: Candidate) -> bool:
 
 def needs_a_closer_look(graph: SketchGraph, lifted: Candidate) -> bool:
     """Whether a result is so far from the drawing, or an annotation so suspicious."""
+    if lifted.minimum.cost <= EXACT_COST and lifted.minimum.converged:
+        return False
     if reading_of(graph, lifted).rms > CLOSER_LOOK_RMS:
         return True
     found = leftover_suspects(graph, lifted.full, lifted.minimum.x)

@@ -31,6 +31,8 @@ LAST_PENALTY = 1e9
 #: A gain this small against the cost moves the shape by far less than a person can draw.
 ENOUGH = 1e-11
 FIRST_DAMPING = 1e-8
+#: Nothing is left to gain below this: every point is met to 1e-13.
+EXACT_COST = 1e-26
 
 
 @dataclass(frozen=True, slots=True, eq=False)

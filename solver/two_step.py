@@ -40,7 +40,7 @@ from .faces import find_faces
 from .full import EXIF_LOG_SIGMA, FocalPrior, FullProblem, Pose
 from .graph import SketchGraph
 from .initial import USUAL_LOG_FOCAL, Start, lift_linear, starts
-from .least_squares import ENOUGH, Minimum, minimise
+from .least_squares import ENOUGH, EXACT_COST, Minimum, minimise
 from .placed import put_in_world
 from .problem import Problem, build_problem
 from .residuals import annotation_residuals
@@ -64,8 +64,8 @@ SOME_ITERATIONS = 4
 SETTLED = 1.1
 MAX_FINISHED = 2
 MAX_ITERATIONS = 100
-#: Nothing is left to gain below this: a vertex is met to 1e-13 of the photo.
-EXACT_COST = 1e-26
+
+
 #: A view that in so many more iterations gains less than this part of its distance to the best is
 #: not carried on.
 REACH = 0.25

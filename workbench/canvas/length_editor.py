@@ -35,7 +35,8 @@ class LengthEditor(QtGui.QLineEdit):
         super().__init__(parent)
         self._said = said
         self._question: Question | None = None
-        self.setFixedWidth(96)
+        widest = max(self.fontMetrics().size(0, text).width() for text in _EXAMPLES.values())
+        self.setFixedWidth(widest + 20)
         self.textEdited.connect(lambda _: self._show_fault(""))
         self.hide()
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
@@ -74,18 +75,35 @@ def paint(painter: QtGui.QPainter, scene: Scene) -> None:
 
 
 def _paint_left_out(painter: QtGui.QPainter, scene: Scene) -> None:
+    """Faces left out are pale and hatched, their holes not."""
+    pale = QtGui.QColor(style.CASING)
+    pale.setAlpha(style.PALE_ALPHA)
     colour = QtGui.QColor(style.LEFT_OUT)
     colour.setAlpha(style.LEFT_OUT_ALPHA)
-    painter.setPen(_Qt.NoPen)
-    painter.setBrush(QtGui.QBrush(colour, _Qt.BDiagPattern))
     for face in (scene.graph.faces or {}).values():
-        if not face.included:
-            # Where loops overlap, the hole is: odd and even, Qt's way if not told otherwise.
-            path = QtGui.QPainterPath()
-            for loop in face.loops:
-                path.addPolygon(polygon([scene.screen[v] for v in loop]))
-                path.closeSubpath()
-            painter.drawPath(path)
+        if face.included:
+            continue
+        # Where loops overlap, the hole is: odd and even, Qt's way if not told otherwise.
+        path = QtGui.QPainterPath()
+        for loop in face.loops:
+            path.addPolygon(polygon([scene.screen[v] for v in loop]))
+            path.closeSubpath()
+        painter.save()
+        painter.fillPath(path, pale)
+        painter.setClipPath(path)
+        painter.setPen(QtGui.QPen(colour, style.FINE_PX))
+        _hatch(painter, path.boundingRect().intersected(QtCore.QRectF(painter.window())))
+        painter.restore()
+
+
+def _hatch(painter: QtGui.QPainter, area: QtCore.QRectF) -> None:
+    """Slanted lines over an area of the screen."""
+    first = math.ceil((area.left() + area.top()) / style.HATCH_PX)
+    last = math.floor((area.right() + area.bottom()) / style.HATCH_PX)
+    for k in range(first, last + 1):
+        sum_ = k * style.HATCH_PX
+        low = QtCore.QPointF(sum_ - area.bottom(), area.bottom())
+        painter.drawLine(low, QtCore.QPointF(sum_ - area.top(), area.top()))
 
 
 def _paint_edges(painter: QtGui.QPainter, scene: Scene) -> None:

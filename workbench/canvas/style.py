@@ -56,6 +56,7 @@ SNAP_PX = 7.0
 DOT_PX = 3.0
 GRIP_PX = 7.0
 DIAMOND_PX = 4.5
+HATCH_PX = 11.0
 FINE_PX = 1.3
 """Of lines that explain: guides, axes, the circles that a side's points stand for."""
 
@@ -66,5 +67,6 @@ BOX_ALPHA = 40
 AREA_ALPHA = 80
 LIFTED_ALPHA = 22
 CONFLICT_ALPHA = 190
-LEFT_OUT_ALPHA = 70
+PALE_ALPHA = 60
+LEFT_OUT_ALPHA = 130
 """Of the hatching over faces left out; 255 is opaque."""

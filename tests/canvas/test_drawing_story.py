@@ -1,5 +1,6 @@
 """A bookshelf drawn over its photo by the gestures of a hand, without a screen, and lifted."""
 
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -22,11 +23,19 @@ def test_bookshelf_drawn_by_hand_lifts_as_the_example_does():
     asked, gestures = [], []
     drawing = Drawing(SketchGraph(photo=example.photo), Listener(asked=asked.append))
 
+    def at(*vertices):
+        return Pointer(tuple(np.mean([example.vertices[v] for v in vertices], axis=0)), 9.0)
+
     def click(*vertices):
         gestures.append(vertices)
-        at = Pointer(tuple(np.mean([example.vertices[v] for v in vertices], axis=0)), 9.0)
         for event in (drawing.move, drawing.press, drawing.release):
-            event(at)
+            event(at(*vertices))
+
+    def drag(start, end):
+        gestures.append((start, end))
+        drawing.press(at(start))
+        drawing.move(at(end))
+        drawing.release(at(end))
 
     def take(tool):
         gestures.append(tool)
@@ -35,14 +44,13 @@ def test_bookshelf_drawn_by_hand_lifts_as_the_example_does():
     take("line")
     # The shelf's corners lie on the uprights, which are split there.
     for line in (*LOOPS, *UPRIGHTS, SHELF):
-        for vertex in line.split():
-            click(vertex)
+        for start, end in pairwise(line.split()):
+            drag(start, end)
     take("right_angle")
     for face in example.faces.values():
         click(*face.loop)
     take("ground")
-    for vertex in LOOPS[0].split()[:-1]:
-        click(vertex)
+    click(*LOOPS[0].split()[:-1])
     take("length")
     click("v1", "v2")
     drawing.answer(asked[0], 210.0)
@@ -52,7 +60,7 @@ def test_bookshelf_drawn_by_hand_lifts_as_the_example_does():
     assert size_of(solution) == pytest.approx(size_of(expected), rel=0.01)
     assert len(solution.faces) == len(example.faces)
     # And "210" typed, with Enter.
-    assert len(gestures) + 4 <= 50
+    assert len(gestures) + 4 <= 40
 
 
 def size_of(solution):

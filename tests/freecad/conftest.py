@@ -78,16 +78,23 @@ def window(hands):
 
 
 @pytest.fixture
-def person(window, hands, document, shelf_path, monkeypatch):
-    """A person before the tab of a new sketch over a photo of 800 x 600 px."""
-    import FreeCADGui
+def photo_path(shelf_path):
+    """The photo that a person chooses."""
+    return shelf_path.parent / "shelf.jpg"
 
+
+@pytest.fixture
+def person(window, hands, document, photo_path, monkeypatch):
+    """A person before the tab of a new sketch over a photo."""
     from incontext.tests.freecad.hands import Person, pump
     from incontext.workbench.panels import asking
     from incontext.workbench.panels.tabs import open_tabs
 
-    photo = shelf_path.parent / "shelf.jpg"
-    monkeypatch.setattr(asking, "ask_for_file", lambda title, kinds: photo)
-    FreeCADGui.runCommand("InContext_NewSketch")
+    monkeypatch.setattr(asking, "ask_for_file", lambda title, kinds: photo_path)
+    person = Person(hands)
+    person.push("InContext_NewSketch")
+    # The file's name, clicked twice.
+    person.gestures += 1
     pump(0.5)
-    return Person(open_tabs()[0].tab.view, hands)
+    person.view = open_tabs()[0].tab.view
+    return person

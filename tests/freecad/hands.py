@@ -5,6 +5,7 @@ from __future__ import annotations
 import subprocess
 import time
 from collections.abc import Callable
+from itertools import pairwise
 
 import FreeCADGui
 import numpy as np
@@ -73,8 +74,10 @@ class Hands:
 class Person:
     """Draws in a tab; counts the gestures: clicks, drags, keys."""
 
-    def __init__(self, view, hands):
-        self.view, self.hands = view, hands
+    def __init__(self, hands):
+        self.hands = hands
+        #: Of the tab that is drawn in.
+        self.view = None
         #: Names of photo positions.
         self.places = {}
         self.gestures = 0
@@ -99,6 +102,11 @@ class Person:
         """Click at a photo position."""
         self.gestures += 1
         self.hands.click(self.at_px(u, v))
+
+    def drag_along(self, *names):
+        """Drag from place to place."""
+        for start, end in pairwise(names):
+            self.drag(self.at(start), self.at(end))
 
     def drag(self, start, end):
         """Drag from one position on the screen to another."""

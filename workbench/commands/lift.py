@@ -5,8 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from .. import host
+from ..features import pipeline
+from ..features.lifted_model import is_lifted_model
 from ..features.photo_sketch import is_photo_sketch
-from .base import Command
+from .base import Command, CommandError
 from .choosing import chosen, objects_of, reveal
 
 
@@ -25,12 +27,40 @@ class Lift(Command):
 
     def run(self) -> None:
         """See the class."""
-        from ..panels.view_3d import look_from_the_camera
+        _lift_and_look(chosen(is_photo_sketch, "a photo sketch"))
 
-        model = lift(chosen(is_photo_sketch, "a photo sketch"))
-        reveal(model.Document)
-        if not model.Shape.isNull():
-            look_from_the_camera(model)
+
+def _lift_and_look(photo_sketch: Any) -> Any:
+    """The lifted model of a photo sketch, seen from where the photo was taken."""
+    from ..panels.view_3d import look_from_the_camera
+
+    model = lift(photo_sketch)
+    reveal(model.Document)
+    if not model.Shape.isNull():
+        look_from_the_camera(model)
+    return model
+
+
+def has_sketch_or_model() -> bool:
+    """Whether there is something in the document that `model_to_make` could give."""
+    return bool(objects_of(is_lifted_model) or objects_of(is_photo_sketch))
+
+
+def model_to_make() -> Any:
+    """The chosen lifted model; where there is none yet, the chosen sketch is lifted.
+
+    Raises
+    ------
+    CommandError
+        Where nothing is chosen, or the sketch is not solved yet.
+    """
+    if objects_of(is_lifted_model):
+        return chosen(is_lifted_model, "a lifted model")
+    sketch = chosen(is_photo_sketch, "a photo sketch")
+    solution = pipeline.solution_of(sketch.Sketch)
+    if solution.status.value != "converged":
+        raise CommandError(solution.message)
+    return _lift_and_look(sketch)
 
 
 def lift(photo_sketch: Any) -> Any:

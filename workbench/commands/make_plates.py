@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from .. import host
-from ..features.lifted_model import is_lifted_model
 from .base import Command
-from .choosing import chosen, objects_of, reveal
+from .choosing import reveal
+from .lift import has_sketch_or_model, model_to_make
 
 
 class MakePlates(Command):
@@ -17,18 +17,18 @@ class MakePlates(Command):
     ICON = "InContext_PlateSet"
     MENU_TEXT = "Make plates"
     TOOLTIP = (
-        "Make finger-jointed plates of the model; thickness, fingers, play and kerf are "
+        "Make finger-jointed plates of the sketch; thickness, fingers, play and kerf are "
         "properties of the result"
     )
     SHORTCUT = "I, P"
 
     def IsActive(self) -> bool:  # noqa: N802  FreeCAD's name
-        """With a lifted model in the document."""
-        return bool(objects_of(is_lifted_model))
+        """With a lifted model in the document, or a sketch to lift first."""
+        return has_sketch_or_model()
 
     def run(self) -> None:
         """See the class."""
-        plate_set = plates_for(chosen(is_lifted_model, "a lifted model"))
+        plate_set = plates_for(model_to_make())
         reveal(plate_set.Document)
 
 

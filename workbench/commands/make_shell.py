@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from .. import host
-from ..features.lifted_model import is_lifted_model
 from .base import Command
-from .choosing import chosen, objects_of, reveal
+from .choosing import reveal
+from .lift import has_sketch_or_model, model_to_make
 
 
 class MakeShell(Command):
@@ -17,20 +17,20 @@ class MakeShell(Command):
     ICON = "InContext_ShelledSolid"
     MENU_TEXT = "Make shelled solid"
     TOOLTIP = (
-        "Make one hollow solid of the model, for a 3D printer; faces left out are openings. "
+        "Make one hollow solid of the sketch, for a 3D printer; faces left out are openings. "
         "The first time takes some seconds"
     )
     SHORTCUT = "I, S"
 
     def IsActive(self) -> bool:  # noqa: N802  FreeCAD's name
-        """With a lifted model in the document."""
-        return bool(objects_of(is_lifted_model))
+        """With a lifted model in the document, or a sketch to lift first."""
+        return has_sketch_or_model()
 
     def run(self) -> None:
         """See the class."""
         from ..panels.waiting import busy
 
-        model = chosen(is_lifted_model, "a lifted model")
+        model = model_to_make()
         with busy():
             solid = shell_for(model)
         reveal(solid.Document)

@@ -1,13 +1,20 @@
 """Laws of plates: no overlap, no void, one piece, nothing outside."""
 
+import itertools
+
+import manifold3d as m3
 import numpy as np
 import pytest
 import scenes
 import shapely
 from fabrication import shapes
 from fabrication.bodies import body, overlaps, union
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from incontext.workbench.fabrication import FabricationError, Plate, PlateSettings, make_plates
+from incontext.workbench.fabrication.frame import find_frame
+from incontext.workbench.fabrication.walls import find_walls
 
 SIDES = ("inside", "outside", "middle")
 CASES = [(name, side) for name in shapes.TRUTHS for side in SIDES]
@@ -133,14 +140,41 @@ def test_half_laps_open_where_their_wall_ends():
     assert notch > 2 * 3 * 21 - 1e-6
 
 
-@pytest.mark.parametrize("seed", range(12))
+def spaces(model, side: str) -> m3.Manifold:
+    """All space that belongs to a wall, each lengthened through those that it meets."""
+    made = {id_: face for id_, face in model.faces.items() if face.included}
+    bodies = []
+    for wall in find_walls(model, find_frame(made), side):
+        rings = [np.array(r.coords)[:-1] for r in (wall.region.exterior, *wall.region.interiors)]
+        section = m3.CrossSection(rings, m3.FillRule.EvenOdd)
+        place = np.zeros((3, 4))
+        place[[*wall.plane_axes, wall.axis], [0, 1, 2]] = 1.0
+        place[wall.axis, 3] = wall.low_mm
+        bodies.append(m3.Manifold.extrude(section, wall.thickness_mm).transform(place))
+    return m3.Manifold.batch_boolean(bodies, m3.OpType.Add)
+
+
+@pytest.mark.parametrize("seed", [*range(12), 13, 15, 17, 41, 45, 50, 59, 61, 83])
 def test_random_bodies(seed):
-    """Shapes nobody would draw; each plate is whole, and none is in another."""
-    plates = make_plates(shapes.polycube(seed), PlateSettings(side=SIDES[seed % 3]))
-    assert max(overlaps(plates).values(), default=0.0) <= 1e-6
-    for plate in plates:
-        assert shapely.LinearRing(plate.outline).is_simple
-        assert plate.polygon.buffer(-0.05, join_style="mitre").geom_type == "Polygon"
+    """Shapes nobody would draw; each plate is whole, none is in another, no wall has a hole."""
+    model, side = shapes.polycube(seed), SIDES[seed % 3]
+    check_laws(make_plates(model, PlateSettings(side=side)), spaces(model, side).volume())
+
+
+@settings(max_examples=15, deadline=None, derandomize=True)
+@given(
+    st.lists(st.integers(20, 70), min_size=1, max_size=4),
+    st.lists(st.integers(20, 70), min_size=1, max_size=4),
+    st.integers(20, 80),
+    st.sampled_from([2.0, 3.0, 4.5]),
+    st.sampled_from(SIDES),
+)
+def test_random_organizers(columns, rows, h, t, side):
+    x, y = ([0.0, *itertools.accumulate(map(float, widths))] for widths in (columns, rows))
+    plates = make_plates(shapes.organizer(x, y, h, thickness=t), PlateSettings(side=side))
+    o = {"inside": 0.0, "outside": t, "middle": t / 2}[side]
+    size, i = (len(columns) - 1, len(rows) - 1), t - o
+    check_laws(plates, shapes._organizer(x[-1], y[-1], h, *size, o, i))
 
 
 @pytest.mark.parametrize("make", [scenes.staircase, scenes.organizer, scenes.table])

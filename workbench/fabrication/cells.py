@@ -9,15 +9,13 @@ member
 run
     A row of cells in which two walls meet, along the third axis, in one way:
     L (a corner: both end), T (one passes, the other ends on it), X (both pass).
-junction
-    Any other cell with several members: the lowest in one global order owns it.
 yield
     Where two walls meet and a third ends on both of them, the third one takes no part.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import combinations, pairwise
 
@@ -25,7 +23,6 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from ...solver.union_find import UnionFind
 from ...solver.values import Array
 from .walls import Wall
 
@@ -50,25 +47,6 @@ class Run:
     axis: int
     low_mm: float
     high_mm: float
-
-
-@dataclass(frozen=True, slots=True)
-class Junction:
-    """One cell with several members that is part of no run.
-
-    Parameters
-    ----------
-    low_mm, high_mm : (x, y, z)
-    members : tuple of int
-        Walls that can own it, best of all.
-    others : tuple of int
-        Walls that can own it if need be.
-    """
-
-    low_mm: tuple[float, float, float]
-    high_mm: tuple[float, float, float]
-    members: tuple[int, ...]
-    others: tuple[int, ...]
 
 
 @dataclass(slots=True, eq=False)
@@ -140,8 +118,8 @@ def _grid_lines(walls: Sequence[Wall], axis: int) -> Array:
     return np.unique(np.round(values, 6))
 
 
-def meetings(cells: Cells) -> tuple[list[Run], list[Junction]]:
-    """How the walls meet: all runs and all junctions.
+def meetings(cells: Cells) -> tuple[list[Run], Flags]:
+    """How the walls meet: all runs, and the cells that are in them.
 
     Parameters
     ----------
@@ -150,7 +128,8 @@ def meetings(cells: Cells) -> tuple[list[Run], list[Junction]]:
     Returns
     -------
     runs : list of Run
-    junctions : list of Junction
+    claimed : array of bool
+        One for each cell.
     """
     members = cells.members()
     kinds = _kinds(cells)
@@ -169,7 +148,7 @@ def meetings(cells: Cells) -> tuple[list[Run], list[Junction]]:
             runs.append(
                 Run(one, two, str(kind[start]).upper(), axis, float(ends[0]), float(ends[1]))
             )
-    return runs, _junctions(cells, members, claimed)
+    return runs, claimed
 
 
 def _zone(cells: Cells, i: int, j: int) -> list[slice]:
@@ -247,59 +226,3 @@ def _stretches(kind: NDArray[np.str_]) -> list[tuple[int, int]]:
     borders = np.flatnonzero(kind[1:] != kind[:-1]) + 1
     ends = [0, *borders.tolist(), len(kind)]
     return [(a, b) for a, b in pairwise(ends) if kind[a]]
-
-
-def _junctions(cells: Cells, members: NDArray[np.int8], claimed: Flags) -> list[Junction]:
-    shared = ((members > 0).sum(axis=0) > 1) & ~claimed
-    blocks = _blocks(cells, shared, claimed)
-    in_block: dict[int, set[int]] = {}
-    for place in np.argwhere(np.isin(blocks, np.unique(blocks[shared])) & ~claimed).tolist():
-        x, y, z = place
-        full = set(np.flatnonzero(members[:, x, y, z] == 2).tolist())
-        block = int(blocks[x, y, z])
-        in_block[block] = in_block.get(block, full) & full
-    junctions = []
-    for place in np.argwhere(shared).tolist():
-        x, y, z = place
-        here = members[:, x, y, z]
-        full = set(np.flatnonzero(here == 2).tolist())
-        # An owner that has the whole block leaves no void; else one that has the whole cell.
-        best = in_block[int(blocks[x, y, z])] & full or full or set(np.flatnonzero(here))
-        rest = (full or best) - best
-        low, high = (
-            [float(line[n + end]) for line, n in zip(cells.lines, place, strict=True)]
-            for end in (0, 1)
-        )
-        junctions.append(
-            Junction(
-                (low[0], low[1], low[2]),
-                (high[0], high[1], high[2]),
-                _ordered(best),
-                _ordered(rest),
-            )
-        )
-    return junctions
-
-
-def _ordered(walls: Iterable[int]) -> tuple[int, ...]:
-    return tuple(sorted(int(wall) for wall in walls))
-
-
-def _blocks(cells: Cells, shared: Flags, claimed: Flags) -> NDArray[np.int_]:
-    """Numbers of blocks: cells that lie behind one another in a wall's thickness.
-
-    A plate is cut through its whole thickness, so these should have one owner.
-    """
-    numbers = np.arange(shared.size).reshape(shared.shape)
-    sets = UnionFind(shared.size)
-    for w, wall in enumerate(cells.walls):
-        turned = (wall.axis, *wall.plane_axes)
-        span = cells.spans[w]
-        ids, mixed, taken = (
-            np.moveaxis(array, turned, (0, 1, 2))[span] for array in (numbers, shared, claimed)
-        )
-        for u, v in np.argwhere(cells.full[w] & mixed.any(axis=0)).tolist():
-            column = ids[:, u, v][~taken[:, u, v]].tolist()
-            for a, b in pairwise(column):
-                sets.union(a, b)
-    return np.array(sets.labels()).reshape(shared.shape)

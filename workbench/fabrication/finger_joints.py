@@ -4,8 +4,6 @@ Terms
 -----
 finger, space
     Along a run the two walls take turns; what is one's finger is the other's space.
-piece
-    A box of shared space with its owner; everybody else is cut back there.
 order
     One global order of the walls. A wall that ends on another comes after it; otherwise the
     order of the model's faces decides. The lower wall owns junctions and the end fingers of
@@ -16,42 +14,12 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
-from .cells import Cells, Junction, Run, meetings
+from .cells import Cells, Run, meetings
+from .junctions import junction_pieces
+from .pieces import Piece, Slack
 from .settings import PlateSettings
 from .walls import Wall
-
-Corner = tuple[float, float, float]
-#: How far a cut reaches beyond its piece: for each axis at the low and at the high end, mm.
-Slack = tuple[tuple[float, float], tuple[float, float], tuple[float, float]]
-NO_SLACK: Slack = ((0.0, 0.0), (0.0, 0.0), (0.0, 0.0))
-
-
-@dataclass(frozen=True, slots=True)
-class Piece:
-    """A box of shared space: its owner, and who would take it otherwise.
-
-    Parameters
-    ----------
-    low_mm, high_mm : (x, y, z) in the frame
-    owner : int
-    rivals : tuple of int
-        Walls that could own it as well.
-    slack : Slack
-        Play around the piece, where it is cut out of the first rival.
-    """
-
-    low_mm: Corner
-    high_mm: Corner
-    owner: int
-    rivals: tuple[int, ...]
-    slack: Slack = NO_SLACK
-
-    def given_to(self, wall: int) -> Piece:
-        """The same piece with another owner."""
-        rivals = tuple(w for w in (self.owner, *self.rivals) if w != wall)
-        return Piece(self.low_mm, self.high_mm, wall, rivals)
 
 
 def share_out(walls: Sequence[Wall], settings: PlateSettings) -> list[Piece]:
@@ -69,9 +37,9 @@ def share_out(walls: Sequence[Wall], settings: PlateSettings) -> list[Piece]:
         Boxes that overlap nowhere and hold all space which several walls share.
     """
     cells = Cells(walls)
-    runs, junctions = meetings(cells)
+    runs, claimed = meetings(cells)
     ranks = global_order(len(walls), runs)
-    pieces = [_junction_piece(junction, ranks) for junction in junctions]
+    pieces = junction_pieces(cells, claimed, runs, ranks)
     for run in runs:
         if run.kind != "X":
             pieces += _finger_pieces(run, walls, ranks, settings)
@@ -184,12 +152,6 @@ def _run_piece(
         low[wall.axis], high[wall.axis] = wall.low_mm, wall.high_mm
     low[run.axis], high[run.axis] = ends
     return Piece((low[0], low[1], low[2]), (high[0], high[1], high[2]), owner, (rival,), slack)
-
-
-def _junction_piece(junction: Junction, ranks: list[int]) -> Piece:
-    owner, *rivals = sorted(junction.members, key=lambda wall: ranks[wall])
-    rivals += sorted(junction.others, key=lambda wall: ranks[wall])
-    return Piece(junction.low_mm, junction.high_mm, owner, tuple(rivals))
 
 
 def _half_lap(

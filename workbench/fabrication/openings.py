@@ -25,16 +25,20 @@ Loops = tuple[Array, ...]
 def caps(faces: Sequence[Loops], size: float) -> list[Array]:
     """Polygons in flat loops of free edges (edges that belong to one face only)."""
     ends = free_edges(faces, 1e-6 * size)
-    directions = [(b - a) / np.linalg.norm(b - a) for a, b in ends]
+    if not ends:
+        return []
+    points = np.array(ends)
+    directions = points[:, 1] - points[:, 0]
+    directions = directions / np.linalg.norm(directions, axis=1, keepdims=True)
+    gaps = np.linalg.norm(points[:, None, :, None] - points[None, :, None], axis=-1)
+    touching = gaps.min(axis=(2, 3)) < 1e-5 * size
+    normals = np.cross(directions[:, None], directions[None])
+    sines = np.linalg.norm(normals, axis=-1)
     found: list[Array] = []
     seen: set[tuple[float, ...]] = set()
-    for i, (a, b) in enumerate(ends):
-        for j in range(i):
-            touching = min(np.linalg.norm(p - q) for p in (a, b) for q in ends[j]) < 1e-5 * size
-            normal = np.cross(directions[i], directions[j])
-            if not touching or np.linalg.norm(normal) < 0.05:
-                continue
-            normal = normal / np.linalg.norm(normal)
+    for i, a in enumerate(points[:, 0]):
+        for j in np.flatnonzero(touching[i, :i] & (sines[i, :i] >= 0.05)).tolist():
+            normal = normals[i, j] / sines[i, j]
             normal = normal * np.sign(normal[np.argmax(np.abs(normal))])
             key = (*np.round(normal, 3), round(float(normal @ a) / size, 3))
             if key not in seen:

@@ -14,7 +14,8 @@ import shapely
 from shapely.geometry import Polygon, box
 
 from .errors import FabricationError
-from .finger_joints import NO_SLACK, Piece
+from .pieces import NO_SLACK, Piece
+from .repairs import Repair
 from .walls import GRID_MM, Wall, tidy
 
 #: A connection narrower than twice this is none, mm.
@@ -43,19 +44,23 @@ def cut_outlines(walls: Sequence[Wall], pieces: Sequence[Piece]) -> list[Polygon
     """
     shared = list(pieces)
     settled: set[int] = set()
+    outlines = [_outline(i, wall, shared) for i, wall in enumerate(walls)]
     for _ in range(_ROUNDS):
-        outlines = [_outline(i, wall, shared) for i, wall in enumerate(walls)]
         changes: dict[int, int] = {}
-        for i, wall in enumerate(walls):
-            for n, owner in _mended(i, wall, outlines[i], shared).items():
+        for i in range(len(walls)):
+            for n, owner in _mended(i, walls, outlines[i], shared).items():
                 if n not in settled:
                     changes.setdefault(n, owner)
         if not changes:
             break
         # Each piece changes hands once: two walls cannot go on taking it from one another.
         settled |= set(changes)
+        touched = {w for n in changes for w in (shared[n].owner, *shared[n].rivals)}
         for n, owner in changes.items():
             shared[n] = shared[n].given_to(owner)
+        for i in touched:
+            outlines[i] = _outline(i, walls[i], shared)
+    outlines = Repair(walls, shared, outlines, _outline).run()
     outlines = [_main_part(wall, outline) for wall, outline in zip(walls, outlines, strict=True)]
     for wall, outline in zip(walls, outlines, strict=True):
         if outline.is_empty or len(_parts(outline)) > 1:
@@ -75,7 +80,7 @@ def _outline(number: int, wall: Wall, pieces: Sequence[Piece]) -> Polygon:
     ]
     if not holes:
         return wall.region
-    cut = wall.region.difference(shapely.union_all(holes, grid_size=GRID_MM), grid_size=GRID_MM)
+    cut = wall.region.difference(shapely.union_all(holes), grid_size=GRID_MM)
     return _without_dust(cut)
 
 
@@ -86,8 +91,13 @@ def _without_dust(cut: Polygon) -> Polygon:
 
 
 def _overlaps(piece: Piece, wall: Wall) -> bool:
+    return _depth(piece, wall) > GRID_MM
+
+
+def _depth(piece: Piece, wall: Wall) -> float:
+    """How much of a wall's thickness a piece takes; negative where it lies beside it."""
     low, high = piece.low_mm[wall.axis], piece.high_mm[wall.axis]
-    return min(high, wall.high_mm) - max(low, wall.low_mm) > GRID_MM
+    return min(high, wall.high_mm) - max(low, wall.low_mm)
 
 
 def _projected(piece: Piece, wall: Wall, number: int) -> Polygon:
@@ -114,33 +124,58 @@ def _main_part(wall: Wall, outline: Polygon) -> Polygon:
     return shapely.union_all([*parts[:1], *(part for part in parts[1:] if part.intersects(drawn))])
 
 
-def _mended(number: int, wall: Wall, outline: Polygon, pieces: Sequence[Piece]) -> dict[int, int]:
+def _mended(
+    number: int, walls: Sequence[Wall], outline: Polygon, pieces: Sequence[Piece]
+) -> dict[int, int]:
     """New owners for pieces, so that a plate that falls apart hangs together.
 
-    What makes islands goes to its first rival. An island of material that nobody else could have
-    takes the pieces beside it.
+    What makes islands goes to the first rival that can keep it. An island that nobody else could
+    have takes the pieces beside it.
     """
+    wall = walls[number]
     parts = _parts(outline)
     if len(parts) < 2:
         return {}
     parts.remove(max(parts, key=lambda part: part.area))
     changes: dict[int, int] = {}
+    near = {
+        n: _projected(piece, wall, number)
+        for n, piece in enumerate(pieces)
+        if number in (piece.owner, *piece.rivals) and _overlaps(piece, wall)
+    }
     for island in parts:
-        reach = island.buffer(3 * NECK_MM, join_style="mitre")
-        near = {
-            n: _projected(piece, wall, number)
-            for n, piece in enumerate(pieces)
-            if number in (piece.owner, *piece.rivals) and _overlaps(piece, wall)
-        }
         own = {
-            n: pieces[n].rivals[0]
+            n
             for n, area in near.items()
-            if pieces[n].owner == number and pieces[n].rivals and island.intersects(area.centroid)
+            if pieces[n].owner == number and island.intersects(area.centroid)
         }
-        covered = shapely.union_all([near[n] for n in own]).area if own else 0.0
-        if covered > 0.9 * island.area:
-            changes |= own
+        covered = sum(near[n].area * _depth(pieces[n], wall) for n in own)
+        alone = covered < 0.9 * island.area * wall.thickness_mm
+        taker = None if alone else _taker(own, walls, pieces)
+        if taker is not None:
+            changes |= dict.fromkeys(own, taker)
         else:
+            reach = island.buffer(3 * NECK_MM, join_style="mitre")
             beside = (n for n in near if pieces[n].owner != number)
             changes |= {n: number for n in beside if reach.intersection(near[n]).area > NECK_MM}
     return changes
+
+
+def _taker(given: set[int], walls: Sequence[Wall], pieces: Sequence[Piece]) -> int | None:
+    """A wall that can keep all of these pieces: nobody else owns anything behind them."""
+    rivals = [set(pieces[n].rivals) for n in given]
+    for rival in sorted(set.intersection(*rivals), key=pieces[min(given)].rivals.index):
+        wall = walls[rival]
+        wanted = shapely.union_all([_projected(pieces[n], wall, -1) for n in given])
+        if wall.region.intersection(wanted).area < 0.9 * wanted.area:
+            continue
+        inside = wanted.buffer(-NECK_MM, join_style="mitre")
+        if not any(
+            n not in given
+            and piece.owner != rival
+            and _overlaps(piece, wall)
+            and inside.intersects(_projected(piece, wall, -1))
+            for n, piece in enumerate(pieces)
+        ):
+            return rival
+    return None

@@ -102,7 +102,7 @@ def find_walls(model: Model, frame: Frame, side: str) -> tuple[Wall, ...]:
     loops = {id_: _loops(face, points) for id_, face in model.faces.items()}
     sides = face_sides(loops, made)
     flats = [_flat_face(id_, model.faces[id_], loops[id_], sides[id_]) for id_ in made]
-    walls = [wall for group in _planes(flats) for wall in _merged(group, side)]
+    walls = [wall for group in _planes(flats, side) for wall in _merged(group, side)]
     first = {id_: i for i, id_ in enumerate(made)}
     walls.sort(key=lambda wall: first[wall.face_ids[0]])
     return tuple(extended(wall, walls) for wall in walls)
@@ -135,10 +135,11 @@ def _flat_face(id_: str, face: ModelFace, loops: tuple[Array, ...], side: int) -
     return _FlatFace(id_, axis, float(heights[0]), float(face.thickness_mm), sense * side, region)
 
 
-def _planes(flats: list[_FlatFace]) -> list[list[_FlatFace]]:
+def _planes(flats: list[_FlatFace], side: str) -> list[list[_FlatFace]]:
     """Faces of one plane and one thickness together.
 
-    Outer faces whose insides lie opposite ways stay apart (their slabs touch in the plane only);
+    Outer faces whose insides lie opposite ways stay apart (their slabs touch in the plane only,
+    unless the material lies in the middle);
     a partition that touches outer faces goes with those it touches most.
     """
     groups: dict[tuple[int, float, float], list[_FlatFace]] = {}
@@ -146,7 +147,7 @@ def _planes(flats: list[_FlatFace]) -> list[list[_FlatFace]]:
         groups.setdefault((flat.axis, flat.at_mm, flat.thickness_mm), []).append(flat)
     result = []
     for group in groups.values():
-        if not {1, -1} <= {flat.side for flat in group}:
+        if side == "middle" or not {1, -1} <= {flat.side for flat in group}:
             result.append(group)
         else:
             goes_with = _sides_of_partitions(group)

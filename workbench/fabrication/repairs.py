@@ -1,0 +1,164 @@
+"""A last look for space that nobody fills, and other owners for the pieces around it.
+
+Terms
+-----
+trouble
+    A box of the walls' space that no plate fills: an island that falls off its plate, or a piece
+    whose owner has nothing there.
+move
+    Some pieces near a trouble given to one wall. A move is good if more space is filled after it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from itertools import combinations
+
+import numpy as np
+import shapely
+from shapely.geometry import Polygon
+
+from ...solver.values import Array
+from .pieces import Piece
+from .walls import Wall
+
+OutlineOf = Callable[[int, Wall, Sequence[Piece]], Polygon]
+
+_ROUNDS = 24
+#: Pieces whose boxes are no further from a trouble may change hands, mm.
+_NEAR_MM = 0.1
+#: Less than this is rounding, mm3.
+_LEAST_MM3 = 1e-3
+
+
+class Repair:
+    """The walls' pieces, changed as long as more space becomes filled.
+
+    Parameters
+    ----------
+    walls : sequence of Wall
+    pieces : sequence of Piece
+    outlines : sequence of Polygon
+        What the pieces make of the walls.
+    outline : callable
+        Wall number, wall, pieces: to the wall's outline.
+    """
+
+    def __init__(
+        self,
+        walls: Sequence[Wall],
+        pieces: Sequence[Piece],
+        outlines: Sequence[Polygon],
+        outline: OutlineOf,
+    ) -> None:
+        self.walls, self.pieces, self.outline_of = walls, list(pieces), outline
+        self.outlines = list(outlines)
+        self.mains = [_main(outline) for outline in outlines]
+
+    def run(self) -> list[Polygon]:
+        """The outlines with the pieces' last owners."""
+        for _ in range(_ROUNDS):
+            if not any(self._improve(box) for box in self._troubles()):
+                break
+        return self.outlines
+
+    def _outline(self, wall: int, pieces: Sequence[Piece]) -> Polygon:
+        return self.outline_of(wall, self.walls[wall], pieces)
+
+    def _troubles(self) -> Iterator[Array]:
+        """Boxes (low and high corner) that nobody fills."""
+        for n, wall in enumerate(self.walls):
+            for part in shapely.get_parts(self.outlines[n]):
+                if not part.equals(self.mains[n]) and part.area > _LEAST_MM3:
+                    yield _box(wall, part)
+        spots = np.array([np.add(piece.low_mm, piece.high_mm) / 2 for piece in self.pieces])
+        filled = np.zeros(len(spots), dtype=bool)
+        for n, wall in enumerate(self.walls if len(spots) else ()):
+            heights = spots[:, wall.axis]
+            within = np.flatnonzero((heights > wall.low_mm) & (heights < wall.high_mm))
+            u, v = (spots[within, k] for k in wall.plane_axes)
+            shapely.prepare(self.mains[n])
+            filled[within] |= shapely.intersects_xy(self.mains[n], u, v)
+        for n in np.flatnonzero(~filled):
+            yield np.array([self.pieces[n].low_mm, self.pieces[n].high_mm])
+
+    def _improve(self, box: Array) -> bool:
+        """Make the best of the small moves near a box; False where none is good."""
+        near = [n for n, piece in enumerate(self.pieces) if piece.rivals and _touches(piece, box)]
+        moves = [
+            (wall, tuple(n for n in near if wall in self.pieces[n].rivals))
+            for wall in sorted({w for n in near for w in self.pieces[n].rivals})
+        ]
+        behind = {
+            wall: tuple(n for n in able if self._behind(wall, n, box)) for wall, able in moves
+        }
+        for size in (0, 1, 2):
+            tries = [(w, some) for w, able in moves for some in combinations(able, size + 1)]
+            tries += [
+                (w, (*behind[w], *some))
+                for w, able in moves
+                for some in combinations([n for n in able if n not in behind[w]], size)
+                if behind[w]
+            ]
+            best, gain = None, _LEAST_MM3
+            for wall, some in tries:
+                more = self._gain(wall, some)
+                if more > gain:
+                    best, gain = (wall, some), more
+            if best is not None:
+                self._move(*best)
+                return True
+        return False
+
+    def _behind(self, wall: int, piece: int, box: Array) -> bool:
+        """Whether a piece lies in a wall's thickness where a box does."""
+        member, given = self.walls[wall], self.pieces[piece]
+        return all(
+            min(given.high_mm[k], box[1][k]) - max(given.low_mm[k], box[0][k]) > _NEAR_MM
+            for k in member.plane_axes
+        )
+
+    def _given(self, wall: int, some: Sequence[int]) -> list[Piece]:
+        pieces = list(self.pieces)
+        for n in some:
+            pieces[n] = pieces[n].given_to(wall)
+        return pieces
+
+    def _changed(self, wall: int, some: Sequence[int]) -> set[int]:
+        return {wall, *(w for n in some for w in (self.pieces[n].owner, *self.pieces[n].rivals))}
+
+    def _gain(self, wall: int, some: Sequence[int]) -> float:
+        """How much more space a move fills, mm3."""
+        pieces = self._given(wall, some)
+        return sum(
+            (_main(self._outline(w, pieces)).area - self.mains[w].area) * self.walls[w].thickness_mm
+            for w in sorted(self._changed(wall, some))
+        )
+
+    def _move(self, wall: int, some: Sequence[int]) -> None:
+        changed = self._changed(wall, some)
+        self.pieces = self._given(wall, some)
+        for w in changed:
+            self.outlines[w] = self._outline(w, self.pieces)
+            self.mains[w] = _main(self.outlines[w])
+
+
+def _main(outline: Polygon) -> Polygon:
+    return max(shapely.get_parts(outline), key=lambda part: part.area, default=Polygon())
+
+
+def _box(wall: Wall, part: Polygon) -> Array:
+    low, high = np.zeros(3), np.zeros(3)
+    u, v = wall.plane_axes
+    low[u], low[v], high[u], high[v] = part.bounds
+    low[wall.axis], high[wall.axis] = wall.low_mm, wall.high_mm
+    return np.array([low, high])
+
+
+def _touches(piece: Piece, box: Array) -> bool:
+    return all(
+        low <= high_box + _NEAR_MM and high >= low_box - _NEAR_MM
+        for low, high, low_box, high_box in zip(
+            piece.low_mm, piece.high_mm, box[0], box[1], strict=True
+        )
+    )

@@ -6,14 +6,18 @@ import manifold3d as m3
 import numpy as np
 import pytest
 import shapely
-from fabrication import shapes
+from fabrication import shapes, slanted
 from fabrication.bodies import body, overlaps, union
 
-from incontext.workbench.fabrication import FabricationError, PlateSettings, make_plates
+from incontext.workbench.fabrication import (
+    FabricationError,
+    PlateSettings,
+    joined_plates,
+    make_plates,
+)
 from incontext.workbench.fabrication.dihedral import takes_fingers, tip_and_notch
 
 CHEVRON = [(0, 0), (60, 40), (120, 0), (120, 60), (60, 100), (0, 60)]
-HEXAGON = [(50, 0), (150, 0), (205, 85), (150, 180), (45, 170), (0, 90)]
 
 
 def frustum(low: float, high: float, h: float, n: int, **options):
@@ -32,13 +36,24 @@ def frustum(low: float, high: float, h: float, n: int, **options):
 
 
 MODELS = {
-    "hexagonal box": lambda: shapes.model(shapes.prism(HEXAGON, 70), turned=4),
-    "open hexagonal box": lambda: shapes.model(shapes.prism(HEXAGON, 70), left_out=("top",)),
+    "hexagonal box": lambda: shapes.model(shapes.prism(slanted.HEXAGON, 70), turned=4),
+    "open hexagonal box": lambda: shapes.model(
+        shapes.prism(slanted.HEXAGON, 70), left_out=("top",)
+    ),
     "chevron": lambda: shapes.model(shapes.prism(CHEVRON, 60), turned=1),
     "frustum": lambda: frustum(60, 90, 100, 4),
     "planter": lambda: frustum(60, 90, 100, 6, left_out=("top",)),
     "tetrahedron": lambda: frustum(80, 0, 120, 3),
     "pyramid": lambda: frustum(80, 0, 90, 6),
+    "leaning pyramid": lambda: shapes.model(
+        {
+            "bottom": [(0, 0, 0), (150, 0, 0), (140, 110, 0), (10, 90, 0)],
+            "s1": [(0, 0, 0), (150, 0, 0), (60, 40, 95)],
+            "s2": [(150, 0, 0), (140, 110, 0), (60, 40, 95)],
+            "s3": [(140, 110, 0), (10, 90, 0), (60, 40, 95)],
+            "s4": [(10, 90, 0), (0, 0, 0), (60, 40, 95)],
+        }
+    ),
     "unequal": lambda: frustum(
         90,
         60,
@@ -53,6 +68,11 @@ MODELS = {
 @pytest.mark.parametrize("name", MODELS)
 def test_laws(name, side):
     model = MODELS[name]()
+    if name == "leaning pyramid" and side != "inside":
+        with pytest.raises(FabricationError, match="only lie inside") as caught:
+            make_plates(model, PlateSettings(side=side))
+        assert caught.value.ids == ("s1", "s2", "s3", "s4")
+        return
     plates = make_plates(model, PlateSettings(side=side))
     assert [plate.id for plate in plates] == [f for f in model.faces if model.faces[f].included]
     assert max(overlaps(plates).values()) <= 1e-6
@@ -71,7 +91,7 @@ def test_the_void_is_small(name, most):
     total = sum(body(plate).volume() for plate in make_plates(model))
     hull = m3.Manifold.hull_points(np.array(list(model.vertices_mm.values())))
     if name == "hexagonal box":
-        plan = shapely.Polygon(HEXAGON)
+        plan = shapely.Polygon(slanted.HEXAGON)
         walls = plan.area * 70 - plan.buffer(-3, join_style="mitre").area * 64
     else:
         # A body around a sphere: the hollow is the whole, smaller by the sphere's radius.
@@ -79,15 +99,6 @@ def test_the_void_is_small(name, most):
         radius = apothem * h / (apothem + math.hypot(apothem, h))
         walls = hull.volume() * (1 - ((radius - 3) / radius) ** 3)
     assert walls * (1 - most) < total < walls
-
-
-def void_mm2(theta: float, t: float) -> float:
-    """What two plates of one thickness must leave empty, mm3 for each mm of their edge."""
-    if theta <= math.pi / 2:
-        return t**2 / math.tan(theta)
-    phi = math.pi - theta
-    lens = (1 - math.cos(phi)) * (math.sin(phi) - math.tan(phi / 2))
-    return t**2 / 2 * (math.sin(phi) * math.cos(phi) + lens)
 
 
 @pytest.mark.parametrize("degrees", [35, 60, 75, 100, 120, 145])
@@ -100,7 +111,7 @@ def test_the_void_is_exactly_what_a_square_cut_leaves(degrees):
     }
     plates = make_plates(shapes.model(loops))
     total = sum(body(plate).volume() for plate in plates)
-    area = 2 * width * t - t**2 / math.tan(theta / 2) - void_mm2(theta, t)
+    area = 2 * width * t - t**2 / math.tan(theta / 2) - slanted.void_mm2(theta, t)
     assert total == pytest.approx(area * length, rel=1e-6)
     assert max(overlaps(plates).values()) <= 1e-6
 
@@ -120,16 +131,42 @@ def test_flat_angles_take_no_fingers():
     assert not takes_fingers(math.radians(350))
 
 
-def test_partitions_aslant_are_named():
-    loops = shapes.prism(HEXAGON, 70)
-    loops["shelf"] = [(x, y, 30.0) for x, y in HEXAGON]
-    with pytest.raises(FabricationError, match="right-angled") as caught:
-        make_plates(shapes.model(loops))
-    assert caught.value.ids == ("shelf",)
+@pytest.mark.parametrize("seed", range(14))
+def test_random_prisms_leave_what_square_cuts_must(seed):
+    """Any angles, some looking inwards: the void is the closed form along each upright edge."""
+    plan, angles = slanted.random_plan(seed)
+    h, t = 60.0, 3.0
+    plates = make_plates(shapes.model(shapes.prism(plan, h)))
+    assert max(overlaps(plates).values()) <= 1e-6
+    polygon = shapely.Polygon(plan)
+    inner = polygon.buffer(-t, join_style="mitre", mitre_limit=50)
+    walls = polygon.area * h - inner.area * (h - 2 * t)
+    void = sum(slanted.void_mm2(min(a, 2 * math.pi - a), t) for a in angles) * (h - 2 * t)
+    assert sum(body(plate).volume() for plate in plates) == pytest.approx(walls - void, rel=2e-6)
+    block = m3.Manifold.extrude(m3.CrossSection([np.array(plan)]), h)
+    assert (union(plates) - block).volume() <= 1e-3
+    assert all(plate.polygon.buffer(-0.05).geom_type == "Polygon" for plate in plates)
+
+
+@pytest.mark.parametrize("seed", [1, 3, 5, 7, 9, 13, 15, 33, 37, 55])
+def test_random_convex_bodies(seed):
+    """Vertices of any valence, edges of any angle; flat ones are butted, and it is said."""
+    loops, points = slanted.random_convex(seed)
+    joined = joined_plates(shapes.model(loops))
+    assert max(overlaps(joined.plates).values()) <= 1e-6
+    assert (union(joined.plates) - m3.Manifold.hull_points(points)).volume() <= 1e-3
+    for plate in joined.plates:
+        assert shapely.LinearRing(plate.outline).is_simple
+        assert plate.polygon.buffer(-0.05).geom_type == "Polygon"
+    for joint in joined.joints:
+        degrees = math.degrees(joint.meeting.theta_rad)
+        if not 30 <= degrees <= 150:
+            assert joint.kind == "butt"
+            assert "30 to 150 degrees" in joint.reason
 
 
 def test_a_bent_face_is_named():
-    loops = shapes.prism(HEXAGON, 70)
+    loops = shapes.prism(slanted.HEXAGON, 70)
     x, y, _ = loops["top"][0]
     bent = {
         id_: [(x, y, 75.0) if point == (x, y, 70) else point for point in loop]

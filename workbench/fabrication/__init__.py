@@ -11,14 +11,17 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from .errors import FabricationError
-    from .plates import Plate, make_plates
+    from .joints import JointChoice
+    from .plates import Plate, joined_plates, make_plates
     from .settings import PlateSettings, ShellSettings
     from .shell import shell_solid
     from .solids import assemble
 
 _HOMES = {
     "FabricationError": "errors",
+    "JointChoice": "joints",
     "Plate": "plates",
+    "joined_plates": "plates",
     "PlateSettings": "settings",
     "ShellSettings": "settings",
     "assemble": "solids",
@@ -28,10 +31,12 @@ _HOMES = {
 
 __all__ = [
     "FabricationError",
+    "JointChoice",
     "Plate",
     "PlateSettings",
     "ShellSettings",
     "assemble",
+    "joined_plates",
     "make_plates",
     "shell_solid",
 ]

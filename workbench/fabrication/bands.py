@@ -23,15 +23,20 @@ from shapely.geometry import Polygon
 
 from ...solver.model import Model
 from ...solver.values import Array
-from .dihedral import takes_fingers, tip_and_notch
+from .dihedral import tip_and_notch
 from .errors import FabricationError
 from .finger_joints import divide, least_finger_mm
+from .joints import Joint, JointPlan, Meeting
 from .outlines import NECK_MM
-from .seams import Seam, Seams, edge_frame, find_seams
+from .partitions import partitioned
+from .seams import EdgeKey, EdgeNames, Seam, Seams, edge_frame, find_seams
 from .settings import PlateSettings
 from .slanted_walls import FINE_MM, SlantedWall, slanted_walls
-from .trimming import pointed, trimmed
+from .trimming import pointed, trimmed, trimmed_at_openings
 from .walls import tidy
+
+#: Up to such a part of a plate may be left out: corners that joints would cut loose.
+LOOSE_SHARE = 0.03
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -52,7 +57,7 @@ class _Edge:
 
 
 def band_outlines(
-    model: Model, settings: PlateSettings
+    model: Model, settings: PlateSettings, plan: JointPlan | None = None
 ) -> tuple[tuple[SlantedWall, ...], list[Polygon]]:
     """The walls of a model at any angles, and the outline of each one's plate in its plane.
 
@@ -60,10 +65,13 @@ def band_outlines(
     ----------
     model : Model
     settings : PlateSettings
+    plan : JointPlan or None
+        Decides the joints, and knows them afterwards.
 
     Returns
     -------
     walls : tuple of SlantedWall
+        In the order of the model's faces.
     outlines : list of Polygon
         They overlap nowhere in space; where more than three plates meet, the higher ones are
         trimmed.
@@ -73,23 +81,101 @@ def band_outlines(
     FabricationError
         Naming faces of which no plates can be made this way.
     """
-    walls = slanted_walls(model, settings.side)
+    plan = plan or JointPlan(settings.finger_mm, settings.play_mm, settings.joints)
+    walls, partitions = slanted_walls(model, settings.side)
     seams = find_seams(walls)
     edges = [_edges(w, walls, seams) for w in range(len(walls))]
-    walls = tuple(wall for wall in walls if wall.thickness_mm > 0)
+    made = tuple(wall for wall in walls if wall.thickness_mm > 0)
+    openings = walls[len(made) :]
+    walls = made
     # Openings come last: what is left are the seams between plates.
     seams = {key: s for key, s in seams.items() if max(key[0], s.other) < len(walls)}
-    runs = {key: _run(key, seams, edges) for key in seams}
-    outlines = [_outline(w, walls, edges, runs, settings) for w in range(len(walls))]
+    names = EdgeNames(model)
+    bands = _bands(walls, seams, edges, plan, settings, names)
+    outlines = [_outline(w, walls, edges, bands) for w in range(len(walls))]
     outlines = pointed(walls, seams, outlines)
+    if partitions:
+        walls = (*walls, *partitions)
+        outlines += [Polygon(wall.rings[0], wall.rings[1:]) for wall in partitions]
+        outlines = trimmed_at_openings(walls, openings, outlines, len(made))
+        outlines = partitioned(walls, outlines, len(made), plan, settings, names)
     outlines = trimmed(walls, outlines)
-    for wall, outline in zip(walls, outlines, strict=True):
-        if outline.is_empty or len(shapely.get_parts(outline.buffer(-NECK_MM))) != 1:
-            raise FabricationError(
-                "the joints leave no whole plate", wall.face_ids, "thinner plates"
-            )
-    whole = [max(shapely.get_parts(outline), key=lambda p: p.area) for outline in outlines]
-    return walls, [tidy(outline) for outline in whole]
+    whole = [_whole(wall, outline) for wall, outline in zip(walls, outlines, strict=True)]
+    order = list(model.faces)
+    ranks = [order.index(wall.face_ids[0]) for wall in walls]
+    sequence = sorted(range(len(walls)), key=ranks.__getitem__)
+    return tuple(walls[n] for n in sequence), [whole[n] for n in sequence]
+
+
+def _whole(wall: SlantedWall, outline: Polygon) -> Polygon:
+    """The outline in one piece: without corners that joints have cut loose."""
+    thinned = outline.buffer(-NECK_MM, join_style="mitre")
+    parts = [part for part in shapely.get_parts(thinned) if not part.is_empty]
+    parts.sort(key=lambda part: -part.area)
+    lost = sum(part.area for part in parts[1:])
+    if not parts or lost > LOOSE_SHARE * parts[0].area:
+        raise FabricationError(
+            f"the joints cut the plate into {len(parts)} pieces"
+            if parts
+            else "the joints leave nothing of the plate",
+            wall.face_ids,
+            "thinner plates, or butt joints at its edges",
+        )
+    if len(parts) > 1:
+        held = parts[0].buffer(1.01 * NECK_MM, join_style="mitre")
+        outline = outline.intersection(held, grid_size=FINE_MM)
+    return tidy(max(shapely.get_parts(outline), key=lambda part: part.area))
+
+
+@dataclass(frozen=True, slots=True)
+class _Band:
+    """How the band of a seam is given out: its run as s of the key's own edge."""
+
+    joint: Joint
+    low: float
+    high: float
+    count: int
+    owner: int
+
+
+def _bands(
+    walls: Sequence[SlantedWall],
+    seams: Seams,
+    edges: Sequence[list[list[_Edge]]],
+    plan: JointPlan,
+    settings: PlateSettings,
+    names: EdgeNames,
+) -> dict[EdgeKey, _Band]:
+    bands = {}
+    for key, seam in seams.items():
+        w, r, e = key
+        if w > seam.other:
+            continue
+        one, two, edge = walls[w], walls[seam.other], edges[w][r][e]
+        low, high = _run(key, seams, edges)
+        least = least_finger_mm(max(one.thickness_mm, two.thickness_mm), settings.kerf_mm)
+        ends = one.in_world(np.array([edge.start, edge.start + edge.length * edge.along]))
+        meeting = Meeting(
+            "L",
+            one.face_ids,
+            two.face_ids,
+            names.on(one, two, ends),
+            seam.theta_rad,
+            high - low,
+            least,
+        )
+
+        def count(finger: float, length: float = high - low, least: float = least) -> int:
+            return divide(length, finger, least)
+
+        joint = plan.decide(meeting, count)
+        n = count(joint.finger_mm) if joint.kind == "finger" else 1
+        owner = -1 if joint.kind == "none" else seam.other if joint.swapped else w
+        bands[key] = _Band(joint, low, high, n, owner)
+        other_key = (seam.other, *seam.other_edge)
+        length = edge.length
+        bands[other_key] = _Band(joint, length - high, length - low, n, owner)
+    return bands
 
 
 def _edges(w: int, walls: Sequence[SlantedWall], seams: Seams) -> list[list[_Edge]]:
@@ -159,8 +245,7 @@ def _outline(
     w: int,
     walls: Sequence[SlantedWall],
     edges: Sequence[list[list[_Edge]]],
-    runs: dict[tuple[int, int, int], tuple[float, float]],
-    settings: PlateSettings,
+    bands: dict[EdgeKey, _Band],
 ) -> Polygon:
     """A wall's region: widened at concave edges, without what its neighbours own."""
     wall = walls[w]
@@ -172,11 +257,9 @@ def _outline(
                 added.append(_strip(edge, before, after, (edge.tip, 0.0), to_tips=True))
             if edge.tip > 0:
                 removed.append(_strip(edge, before, after, (0.0, edge.tip)))
-            if edge.seam is None:
-                continue
-            thickness = max(wall.thickness_mm, walls[edge.seam.other].thickness_mm)
-            lower = w < edge.seam.other
-            removed += _lost(edge, before, after, runs[w, r, e], thickness, settings, lower=lower)
+            if edge.seam is not None:
+                band = bands[w, r, e]
+                removed += _lost(edge, before, after, band, owner=band.owner == w)
     base = Polygon(wall.rings[0], wall.rings[1:])
     whole = shapely.union_all([base, *added], grid_size=FINE_MM)
     # Wider by a few grid steps, so that rounding never makes two plates overlap.
@@ -186,35 +269,21 @@ def _outline(
     return shapely.union_all(parts)
 
 
-def _lost(
-    edge: _Edge,
-    before: _Edge,
-    after: _Edge,
-    run: tuple[float, float],
-    thickness: float,
-    settings: PlateSettings,
-    *,
-    lower: bool,
-) -> list[Polygon]:
+def _lost(edge: _Edge, before: _Edge, after: _Edge, band: _Band, *, owner: bool) -> list[Polygon]:
     """The parts of a band that go to the other wall."""
-    low, high = run
-    theta = edge.seam.theta_rad if edge.seam is not None else 0.0
-    band = (edge.tip, edge.notch)
-    count = 1
-    if takes_fingers(theta):
-        least = least_finger_mm(thickness, settings.kerf_mm)
-        count = divide(high - low, settings.finger_mm, least)
+    low, high, count = band.low, band.high, band.count
+    depths = (edge.tip, edge.notch)
     if count == 1:
-        return [] if lower else [_strip(edge, before, after, band)]
+        return [] if owner else [_strip(edge, before, after, depths)]
     borders = [low + (high - low) * k / count for k in range(count + 1)]
-    slack = settings.play_mm / 4
+    slack = band.joint.play_mm / 4
     lost = []
-    if not lower:
-        lost.append(_strip(edge, before, after, band, (None, borders[1] + slack)))
-        lost.append(_strip(edge, before, after, band, (borders[-2] - slack, None)))
-    for k in range(1 if lower else 2, count - (1 if lower else 2), 2):
+    if not owner:
+        lost.append(_strip(edge, before, after, depths, (None, borders[1] + slack)))
+        lost.append(_strip(edge, before, after, depths, (borders[-2] - slack, None)))
+    for k in range(1 if owner else 2, count - (1 if owner else 2), 2):
         ends = (borders[k] - slack, borders[k + 1] + slack)
-        lost.append(_strip(edge, before, after, band, ends))
+        lost.append(_strip(edge, before, after, depths, ends))
     return lost
 
 

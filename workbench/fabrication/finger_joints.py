@@ -13,16 +13,27 @@ order
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable, Sequence
+import math
+from collections.abc import Iterable, Mapping, Sequence
 
+from ...solver.values import Array
 from .cells import Cells, Run, meetings
+from .joints import Joint, JointPlan, Meeting
 from .junctions import junction_pieces
-from .pieces import Piece, Slack
+from .pieces import NO_SLACK, Piece, Slack
 from .settings import PlateSettings
 from .walls import Wall
 
+#: Ends of the sketch's edges in the frame, mm.
+Edges = Mapping[str, tuple[Array, Array]]
 
-def share_out(walls: Sequence[Wall], settings: PlateSettings) -> list[Piece]:
+
+def share_out(
+    walls: Sequence[Wall],
+    settings: PlateSettings,
+    plan: JointPlan | None = None,
+    edges: Edges | None = None,
+) -> list[Piece]:
     """All pieces of a right-angled model.
 
     Parameters
@@ -30,23 +41,70 @@ def share_out(walls: Sequence[Wall], settings: PlateSettings) -> list[Piece]:
     walls : sequence of Wall
     settings : PlateSettings
         `finger_mm`, `play_mm` and (for the narrowest finger) `kerf_mm` are used.
+    plan : JointPlan or None
+        Decides the joints, and knows them afterwards.
+    edges : mapping of edge id to ends
+        So that choices can name edges.
 
     Returns
     -------
     list of Piece
         Boxes that overlap nowhere and hold all space which several walls share.
     """
+    plan = plan or JointPlan(settings.finger_mm, settings.play_mm, settings.joints)
     cells = Cells(walls)
     runs, claimed = meetings(cells)
     ranks = global_order(len(walls), runs)
-    pieces = junction_pieces(cells, claimed, runs, ranks)
-    for run in runs:
+    joints = {run: _joint(run, walls, ranks, plan, settings.kerf_mm, edges or {}) for run in runs}
+    owners = {run: _owner(run, ranks, joint) for run, joint in joints.items()}
+    pieces = junction_pieces(cells, claimed, owners, ranks)
+    for run, joint in joints.items():
         if run.kind != "X":
-            pieces += _finger_pieces(run, walls, ranks, settings)
-    for run in runs:
+            pieces += _finger_pieces(run, walls, owners[run], joint)
+    for run, joint in joints.items():
         if run.kind == "X":
-            pieces += _half_lap(run, walls, ranks, cells, pieces, settings.play_mm)
+            pieces += _half_lap(run, walls, ranks, cells, pieces, joint)
     return pieces
+
+
+def _joint(
+    run: Run, walls: Sequence[Wall], ranks: list[int], plan: JointPlan, kerf: float, edges: Edges
+) -> Joint:
+    """What the plan decides for a run."""
+    one, two = run.one, run.two
+    if run.kind == "L" and ranks[two] < ranks[one]:
+        one, two = two, one
+    thickness = max(walls[one].thickness_mm, walls[two].thickness_mm)
+    least = least_finger_mm(thickness, kerf)
+    meeting = Meeting(
+        run.kind,
+        walls[one].face_ids,
+        walls[two].face_ids,
+        tuple(id_ for id_, ends in edges.items() if _lies_on(run, walls, ends)),
+        math.pi / 2,
+        run.high_mm - run.low_mm,
+        least if run.kind == "L" else least + 2 * thickness,
+    )
+    return plan.decide(meeting, lambda finger: len(_borders(run, thickness, finger, least, "")) - 1)
+
+
+def _lies_on(run: Run, walls: Sequence[Wall], ends: tuple[Array, Array]) -> bool:
+    start, end = ends
+    for wall in (walls[run.one], walls[run.two]):
+        if max(abs(p[wall.axis] - wall.drawn_mm) for p in ends) > 1e-5:
+            return False
+    low, high = sorted((float(start[run.axis]), float(end[run.axis])))
+    return min(high, run.high_mm) - max(low, run.low_mm) > 1e-5
+
+
+def _owner(run: Run, ranks: list[int], joint: Joint) -> int:
+    """Which wall owns the ends of a run; -1 where nobody has any of it."""
+    if joint.kind == "none" and run.kind == "L":
+        return -1
+    first, second = run.one, run.two
+    if run.kind != "T" and ranks[second] < ranks[first]:
+        first, second = second, first
+    return second if joint.swapped else first
 
 
 def global_order(count: int, runs: Iterable[Run]) -> list[int]:
@@ -97,9 +155,15 @@ def finger_borders(run: Run, thickness: float, settings: PlateSettings) -> list[
     Of a T that is too short for three fingers, one tab is left if it keeps one thickness of
     material at each end.
     """
-    length = run.high_mm - run.low_mm
     least = least_finger_mm(thickness, settings.kerf_mm)
-    count = divide(length, settings.finger_mm, least)
+    return _borders(run, thickness, settings.finger_mm, least, "finger")
+
+
+def _borders(run: Run, thickness: float, finger: float, least: float, kind: str) -> list[float]:
+    if kind in ("butt", "none"):
+        return [run.low_mm, run.high_mm]
+    length = run.high_mm - run.low_mm
+    count = divide(length, finger, least)
     if count == 1 and run.kind == "T" and length >= least + 2 * thickness:
         tab = max(least, length / 3)
         middle = (run.low_mm + run.high_mm) / 2
@@ -110,19 +174,20 @@ def finger_borders(run: Run, thickness: float, settings: PlateSettings) -> list[
     return [run.low_mm, *inner, run.high_mm]
 
 
-def _finger_pieces(
-    run: Run, walls: Sequence[Wall], ranks: list[int], settings: PlateSettings
-) -> list[Piece]:
-    first, second = run.one, run.two
-    if run.kind == "L" and ranks[second] < ranks[first]:
-        first, second = second, first
+def _finger_pieces(run: Run, walls: Sequence[Wall], first: int, joint: Joint) -> list[Piece]:
+    """The fingers of a run in turns, beginning and ending with those of its owner."""
+    if first < 0:
+        piece = _run_piece(run, walls, (run.low_mm, run.high_mm), -1, run.one, NO_SLACK)
+        return [Piece(piece.low_mm, piece.high_mm, -1, ())]
+    second = run.two if first == run.one else run.one
     thickness = max(walls[first].thickness_mm, walls[second].thickness_mm)
-    borders = finger_borders(run, thickness, settings)
+    least = joint.meeting.least_mm - (2 * thickness if run.kind == "T" else 0.0)
+    borders = _borders(run, thickness, joint.finger_mm, least, joint.kind)
     pieces = []
     for n, (low, high) in enumerate(itertools.pairwise(borders)):
         owner, rival = (second, first) if n % 2 else (first, second)
         at_end = (n == 0, n == len(borders) - 2)
-        slack = _finger_slack(run, walls, owner, at_end, settings.play_mm)
+        slack = _finger_slack(run, walls, owner, at_end, joint.play_mm)
         pieces.append(_run_piece(run, walls, (low, high), owner, rival, slack))
     return pieces
 
@@ -160,7 +225,7 @@ def _half_lap(
     ranks: list[int],
     cells: Cells,
     pieces: list[Piece],
-    play: float,
+    joint: Joint,
 ) -> list[Piece]:
     """Two walls through one another: each has a slot to the middle, open at one end.
 
@@ -168,7 +233,13 @@ def _half_lap(
     closed slot and the other wall goes through it whole. Where even that cannot be, the plates
     stay whole, though they can be put together only in pieces.
     """
+    play = joint.play_mm
     first, second = sorted((run.one, run.two), key=lambda wall: ranks[wall])
+    if joint.swapped:
+        first, second = second, first
+    if joint.kind == "tab_slot":
+        ends = (run.low_mm, run.high_mm)
+        return [_lap(run, walls, ends, first, second, (play / 2, play / 2))]
     goes_on = {w: _goes_on(run, w, walls, cells, pieces) for w in (first, second)}
     # The owner of the low half has its slot in the high half, and the other way round.
     orders = ((first, second), (second, first))

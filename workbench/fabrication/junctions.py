@@ -48,7 +48,7 @@ class _Column:
 
 
 def junction_pieces(
-    cells: Cells, claimed: Flags, runs: Iterable[Run], ranks: Sequence[int]
+    cells: Cells, claimed: Flags, runs: Mapping[Run, int], ranks: Sequence[int]
 ) -> list[Piece]:
     """An owner for each cell that several walls share and that is part of no run.
 
@@ -57,7 +57,8 @@ def junction_pieces(
     cells : Cells
     claimed : array of bool
         The cells of all runs.
-    runs : iterable of Run
+    runs : mapping of Run to int
+        The owner of each run's ends; -1 where nobody has it.
     ranks : sequence of int
         The walls' global order.
 
@@ -68,7 +69,7 @@ def junction_pieces(
     """
     members = cells.members()
     shared = ((members > 0).sum(axis=0) > 1) & ~claimed
-    kept = _kept_by_runs(cells, runs, ranks)
+    kept = _kept_by_runs(cells, runs)
     blocks = _blocks(cells, shared, claimed)
     pieces: list[Piece] = []
     for block in _grouped(blocks, shared):
@@ -105,17 +106,15 @@ def _blocks(cells: Cells, shared: Flags, claimed: Flags) -> NDArray[np.int_]:
     return np.array(sets.labels()).reshape(shared.shape)
 
 
-def _kept_by_runs(cells: Cells, runs: Iterable[Run], ranks: Sequence[int]) -> dict[Spot, bool]:
+def _kept_by_runs(cells: Cells, runs: Mapping[Run, int]) -> dict[Spot, bool]:
     """Which spots of walls lie in runs, and whether the wall keeps material there.
 
     At a run's ends only the owner of the end fingers does; between them both do.
     """
     kept: dict[Spot, bool] = {}
-    for run in runs:
+    for run, owner in runs.items():
         lines = cells.lines[run.axis]
         low, high = (int(np.abs(lines - at).argmin()) for at in (run.low_mm, run.high_mm))
-        passing = run.kind == "T" or ranks[run.one] < ranks[run.two]
-        owner = run.one if passing else run.two
         for wall, other in ((run.one, run.two), (run.two, run.one)):
             across = cells.spans[other]
             first = cells.walls[wall].plane_axes[0] == run.axis
@@ -123,7 +122,7 @@ def _kept_by_runs(cells: Cells, runs: Iterable[Run], ranks: Sequence[int]) -> di
                 ends = along in (low, high - 1) and run.kind != "X"
                 for k in range(across.start, across.stop):
                     u, v = (along, k) if first else (k, along)
-                    kept[wall, u, v] = owner == wall or not ends
+                    kept[wall, u, v] = owner == wall or (owner >= 0 and not ends)
     return kept
 
 

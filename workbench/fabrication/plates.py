@@ -20,7 +20,8 @@ from ...solver.model import Model
 from ...solver.values import Array, frozen_array
 from .errors import FabricationError, NotRightAngledError
 from .finger_joints import share_out
-from .frame import Frame, find_frame
+from .frame import Frame, find_frame, snapped
+from .joints import Joint, JointPlan
 from .outlines import cut_outlines
 from .settings import PlateSettings
 from .walls import Wall, find_walls
@@ -72,12 +73,30 @@ class Plate:
 
 
 def make_plates(model: Model, settings: PlateSettings = _DEFAULTS) -> tuple[Plate, ...]:
-    """Finger-jointed plates of a model.
+    """Plates of a model that fit together: the plates of `joined_plates`."""
+    return joined_plates(model, settings).plates
+
+
+@dataclass(frozen=True, slots=True)
+class Joined:
+    """Plates, and the joints between them."""
+
+    plates: tuple[Plate, ...]
+    joints: tuple[Joint, ...]
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """One line for each joint that is not what it usually would be."""
+        return tuple(joint.words for joint in self.joints if joint.reason)
+
+
+def joined_plates(model: Model, settings: PlateSettings = _DEFAULTS) -> Joined:
+    """Plates of a model that fit together, and how.
 
     Faces left out are open sides. Faces that touch in one plane and have one thickness become
     one plate. Put together, the plates overlap nowhere. Where all faces stand at right angles
-    (in any direction) partitions are made too and the walls are filled wholly, play aside (the
-    cell model); at other angles the square cut of the beam leaves a little void (the band model).
+    (in any direction) the walls are filled wholly, play aside (the cell model); at other angles
+    the square cut of the beam leaves a little void (the band model).
 
     Parameters
     ----------
@@ -86,33 +105,48 @@ def make_plates(model: Model, settings: PlateSettings = _DEFAULTS) -> tuple[Plat
 
     Returns
     -------
-    tuple of Plate
-        In the order of the model's faces.
+    Joined
+        The plates in the order of the model's faces.
 
     Raises
     ------
     FabricationError
-        Naming the faces that are not flat, too close together, or partitions aslant.
+        Naming the faces that are not flat or too close together, or the joint that cannot be.
     """
     faces = {id_: face for id_, face in model.faces.items() if face.included}
     if not faces:
         raise FabricationError("no face to make a plate of", (), "include a face")
+    plan = JointPlan(settings.finger_mm, settings.play_mm, settings.joints)
     try:
         frame = find_frame(faces)
         walls = find_walls(model, frame, settings.side)
     except NotRightAngledError:
-        return _slanted_plates(model, settings)
-    _check_apart(walls)
-    outlines = cut_outlines(walls, share_out(walls, settings))
-    return tuple(
-        _plate(wall, outline, frame) for wall, outline in zip(walls, outlines, strict=True)
-    )
+        plates = _slanted_plates(model, settings, plan)
+    else:
+        _check_apart(walls)
+        pieces = share_out(walls, settings, plan, _edges(model, frame))
+        outlines = cut_outlines(walls, pieces)
+        plates = tuple(
+            _plate(wall, outline, frame) for wall, outline in zip(walls, outlines, strict=True)
+        )
+    plan.check_used()
+    return Joined(plates, tuple(plan.joints))
 
 
-def _slanted_plates(model: Model, settings: PlateSettings) -> tuple[Plate, ...]:
+def _edges(model: Model, frame: Frame) -> dict[str, tuple[Array, Array]]:
+    """The ends of the model's edges in the frame."""
+    points = snapped(model, frame)
+    return {
+        id_: (points[v], points[w])
+        for id_, (v, w) in model.edges.items()
+        if v in points and w in points
+    }
+
+
+def _slanted_plates(model: Model, settings: PlateSettings, plan: JointPlan) -> tuple[Plate, ...]:
     from .bands import band_outlines
 
-    walls, outlines = band_outlines(model, settings)
+    walls, outlines = band_outlines(model, settings, plan)
     plates = []
     for wall, outline in zip(walls, outlines, strict=True):
         rings = [np.array(ring.coords)[:-1] for ring in (outline.exterior, *outline.interiors)]

@@ -79,7 +79,7 @@ class Repair:
             u, v = (spots[within, k] for k in wall.plane_axes)
             shapely.prepare(self.mains[n])
             filled[within] |= shapely.intersects_xy(self.mains[n], u, v)
-        for n in np.flatnonzero(~filled):
+        for n in np.flatnonzero(~filled).tolist():
             yield np.array([self.pieces[n].low_mm, self.pieces[n].high_mm])
 
     def _improve(self, box: Array) -> bool:
@@ -130,10 +130,11 @@ class Repair:
     def _gain(self, wall: int, some: Sequence[int]) -> float:
         """How much more space a move fills, mm3."""
         pieces = self._given(wall, some)
-        return sum(
+        more = sum(
             (_main(self._outline(w, pieces)).area - self.mains[w].area) * self.walls[w].thickness_mm
             for w in sorted(self._changed(wall, some))
         )
+        return float(more)
 
     def _move(self, wall: int, some: Sequence[int]) -> None:
         changed = self._changed(wall, some)

@@ -17,12 +17,12 @@ from itertools import pairwise
 
 import numpy as np
 
+from ...solver.model import Model
 from ...solver.values import Array
 from .errors import FabricationError
 from .frame import SNAP_MM
 from .slanted_walls import SlantedWall
 
-Key = tuple[int, int, int]
 EdgeKey = tuple[int, int, int]  # wall, ring, edge
 
 
@@ -56,10 +56,11 @@ def find_seams(walls: Sequence[SlantedWall]) -> dict[tuple[int, int, int], Seam]
     FabricationError
         Where three or more walls meet in one edge.
     """
-    users: dict[frozenset[Key], list[tuple[int, int, int]]] = {}
+    places = _Places()
+    users: dict[frozenset[int], list[tuple[int, int, int]]] = {}
     for w, wall in enumerate(walls):
         for r, ring in enumerate(wall.rings):
-            keys = [_key(point) for point in wall.in_world(ring)]
+            keys = [places.number(point) for point in wall.in_world(ring)]
             for e, ends in enumerate(pairwise([*keys, keys[0]])):
                 users.setdefault(frozenset(ends), []).append((w, r, e))
     seams = {}
@@ -70,7 +71,7 @@ def find_seams(walls: Sequence[SlantedWall]) -> dict[tuple[int, int, int], Seam]
             raise FabricationError(
                 "more than two plates meet in one edge",
                 (walls[w].face_ids[0] for w, _, _ in edges),
-                "right angles: there partitions are made",
+                "leave one of the faces out",
             )
         if len(edges) == 2 and made:
             one, two = edges
@@ -92,25 +93,84 @@ class Corner:
 
 def find_corners(walls: Sequence[SlantedWall]) -> list[Corner]:
     """All corners of the walls."""
-    found: dict[Key, list[tuple[int, int, int]]] = {}
-    points: dict[Key, Array] = {}
+    places = _Places()
+    found: dict[int, list[tuple[int, int, int]]] = {}
     for w, wall in enumerate(walls):
         for r, ring in enumerate(wall.rings):
             for e, point in enumerate(wall.in_world(ring)):
-                points.setdefault(_key(point), point)
+                key = places.number(point)
                 # The edge that begins here and the one that ends here.
-                found.setdefault(_key(point), []).extend(((w, r, e), (w, r, (e - 1) % len(ring))))
+                found.setdefault(key, []).extend(((w, r, e), (w, r, (e - 1) % len(ring))))
     corners = []
     for key, edges in found.items():
         reach = min(edge_frame(walls[w], r, e)[3] for w, r, e in edges)
         numbers = tuple(dict.fromkeys(w for w, _, _ in edges))
-        corners.append(Corner(points[key], numbers, tuple(edges), reach))
+        corners.append(Corner(places.points[key], numbers, tuple(edges), reach))
     return corners
 
 
-def _key(point: Array) -> Key:
-    x, y, z = np.round(point / (SNAP_MM / 2)).astype(int).tolist()
-    return x, y, z
+class EdgeNames:
+    """Which of the sketch's edges lie on a line in which two walls meet.
+
+    Parameters
+    ----------
+    model : Model
+    """
+
+    def __init__(self, model: Model) -> None:
+        self.model = model
+
+    def on(self, one: SlantedWall, two: SlantedWall, ends: Array) -> tuple[str, ...]:
+        """The ids of edges along a line from one world point to another, (2, 3)."""
+        vertices = self._vertices(one) & self._vertices(two)
+        start, length = ends[0], float(np.linalg.norm(ends[1] - ends[0]))
+        way = (ends[1] - ends[0]) / length
+        found = []
+        for id_, (v, w) in self.model.edges.items():
+            points = np.array([self.model.vertices_mm[v], self.model.vertices_mm[w]]) - start
+            low, high = sorted((points @ way).tolist())
+            off = points - np.outer(points @ way, way)
+            # Where material lies outside, seams lie beyond the drawn edges, but along them.
+            near = np.abs(off).max() < SNAP_MM or {v, w} <= vertices
+            straight = np.linalg.norm(off[1] - off[0]) < 1e-3 * max(high - low, SNAP_MM)
+            if near and straight and min(high, length) - max(low, 0.0) > SNAP_MM:
+                found.append(id_)
+        return tuple(found)
+
+    def between(
+        self,
+        partition: SlantedWall,
+        carrier: SlantedWall,
+        edge: tuple[Array, Array],
+        span: tuple[float, float],
+    ) -> tuple[str, ...]:
+        """The same for a stretch of a partition's edge (its start and direction)."""
+        start, along = edge
+        flat = np.array([start + s * along for s in span])
+        return self.on(
+            partition, carrier, partition.in_world(flat) + partition.drawn_mm * partition.inwards
+        )
+
+    def _vertices(self, wall: SlantedWall) -> set[str]:
+        faces = (self.model.faces[id_] for id_ in wall.face_ids)
+        return {v for face in faces for loop in (face.loop, *face.holes) for v in loop}
+
+
+class _Places:
+    """Points by number; what lies closer than the snap has one number."""
+
+    def __init__(self) -> None:
+        self.points: list[Array] = []
+
+    def number(self, point: Array) -> int:
+        """The number of a point, a new one where it is new."""
+        if self.points:
+            gaps = np.abs(np.array(self.points) - point).max(axis=1)
+            nearest = int(gaps.argmin())
+            if gaps[nearest] < SNAP_MM:
+                return nearest
+        self.points.append(point)
+        return len(self.points) - 1
 
 
 def edge_frame(wall: SlantedWall, ring: int, edge: int) -> tuple[Array, Array, Array, float]:

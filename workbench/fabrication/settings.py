@@ -19,6 +19,7 @@ import math
 from dataclasses import dataclass
 
 from .errors import SettingsError
+from .joints import JointChoice
 
 SIDES = ("inside", "outside", "middle")
 OPEN_ENDS = ("wider", "bottom", "top", "both", "none")
@@ -53,6 +54,8 @@ class PlateSettings:
         None takes the smallest usual sheet that holds every plate.
     margin_mm, spacing_mm : float
         Kept free along the sheet's border, and between two plates.
+    joints : tuple of JointChoice
+        What is wanted of single joints; all others are decided by `JointPlan`.
 
     Raises
     ------
@@ -68,6 +71,7 @@ class PlateSettings:
     sheet_mm: tuple[float, float] | None = None
     margin_mm: float = 5.0
     spacing_mm: float = 3.0
+    joints: tuple[JointChoice, ...] = ()
 
     def __post_init__(self) -> None:
         check_side(self.side)

@@ -14,7 +14,7 @@ opening
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
@@ -37,13 +37,14 @@ FINE_MM = 1e-9
 class SlantedWall:
     """One flat wall: `rings` are its outline (ccw, seen from inside) and holes, (n, 2) each.
 
-    An opening has the thickness 0.
+    An opening has the thickness 0. The drawn faces lie at z = `drawn_mm`.
     """
 
     face_ids: tuple[str, ...]
     thickness_mm: float
     world_from_wall: Array
     rings: tuple[Array, ...]
+    drawn_mm: float = 0.0
 
     def in_world(self, points: Array) -> Array:
         """World positions of points (n, 2) of the outer plane."""
@@ -56,13 +57,15 @@ class SlantedWall:
         return np.asarray(self.world_from_wall[:3, 2])
 
 
-def slanted_walls(model: Model, side: str) -> tuple[SlantedWall, ...]:
-    """The walls of a model whose faces stand at any angles, then its openings.
+def slanted_walls(
+    model: Model, side: str
+) -> tuple[tuple[SlantedWall, ...], tuple[SlantedWall, ...]]:
+    """The walls of a model whose faces stand at any angles, then its openings; and partitions.
 
     Raises
     ------
     FabricationError
-        Naming partitions (not made at other than right angles) and faces that are not flat.
+        Naming faces that are not flat.
     """
     loops = {id_: (face.loop, *face.holes) for id_, face in model.faces.items()}
     vertices = refit(model, loops)
@@ -74,37 +77,74 @@ def slanted_walls(model: Model, side: str) -> tuple[SlantedWall, ...]:
     }
     sides = face_sides(placed, [*made, *left_out])
     partitions = [id_ for id_ in made if sides[id_] == 0]
-    if partitions:
-        raise FabricationError(
-            "partitions are made in right-angled models only",
-            partitions,
-            "leave them out, or add right-angle annotations",
-        )
-    shown = [*made, *(id_ for id_ in left_out if sides[id_] != 0)]
+    shown = [
+        *(id_ for id_ in made if sides[id_] != 0),
+        *(id_ for id_ in left_out if sides[id_] != 0),
+    ]
     inwards = {id_: sides[id_] * _unit(newell(placed[id_][0])) for id_ in shown}
     share = {"inside": 0.0, "middle": 0.5, "outside": 1.0}[side]
     thickness = {id_: model.faces[id_].thickness_mm if id_ in made else 0.0 for id_ in shown}
     outer = _moved_out(vertices, loops, inwards, {f: share * t for f, t in thickness.items()})
+    walls = [
+        wall
+        for group in _planes(shown, loops, outer, inwards, thickness)
+        for wall in _walls(group, loops, outer, inwards[group[0]], thickness[group[0]], share)
+    ]
+    walls.sort(key=lambda wall: shown.index(wall.face_ids[0]))
+    return _with_common_corners(walls), _partitions(model, partitions, loops, vertices)
+
+
+def _partitions(
+    model: Model,
+    partitions: Sequence[str],
+    loops: Mapping[str, Sequence[Sequence[str]]],
+    vertices: Mapping[str, Array],
+) -> tuple[SlantedWall, ...]:
+    """Walls with the drawn faces in their middle."""
+    normals = {}
+    for id_ in partitions:
+        normal = _unit(newell(np.array([vertices[v] for v in loops[id_][0]])))
+        # One sense for parallel ones, so that faces of one plane are found.
+        lead = int(np.argmax(np.abs(np.round(normal, 6))))
+        normals[id_] = normal if normal[lead] > 0 else -normal
+    thickness = {id_: model.faces[id_].thickness_mm for id_ in partitions}
+    walls = (
+        wall
+        for group in _planes(partitions, loops, vertices, normals, thickness)
+        for wall in _walls(group, loops, vertices, normals[group[0]], thickness[group[0]], 0.5)
+    )
+    return tuple(_sunk(wall) for wall in walls)
+
+
+def _sunk(wall: SlantedWall) -> SlantedWall:
+    """The wall moved down until the drawn faces are in its middle."""
+    place = wall.world_from_wall.copy()
+    place[:3, 3] -= wall.drawn_mm * wall.inwards
+    return replace(wall, world_from_wall=place)
+
+
+def _planes(
+    shown: Sequence[str],
+    loops: Mapping[str, Sequence[Sequence[str]]],
+    vertices: Mapping[str, Array],
+    inwards: Mapping[str, Array],
+    thickness: Mapping[str, float],
+) -> list[list[str]]:
+    """Faces of one plane, sense and thickness together."""
     groups: list[list[str]] = []
     for id_ in shown:
         for group in groups:
             if thickness[group[0]] == thickness[id_] and _coplanar(
-                outer[loops[group[0]][0][0]],
+                vertices[loops[group[0]][0][0]],
                 inwards[group[0]],
-                outer[loops[id_][0][0]],
+                vertices[loops[id_][0][0]],
                 inwards[id_],
             ):
                 group.append(id_)
                 break
         else:
             groups.append([id_])
-    walls = [
-        wall
-        for group in groups
-        for wall in _walls(group, loops, outer, inwards[group[0]], thickness[group[0]])
-    ]
-    walls.sort(key=lambda wall: shown.index(wall.face_ids[0]))
-    return _with_common_corners(walls)
+    return groups
 
 
 def _unit(vector: Array) -> Array:
@@ -156,8 +196,12 @@ def _walls(
     vertices: Mapping[str, Array],
     inwards: Array,
     thickness: float,
+    share: float,
 ) -> list[SlantedWall]:
-    """One wall for each set of touching faces of one plane."""
+    """One wall for each set of touching faces of one plane, a share of it above the drawn one.
+
+    `vertices` of outer walls have moved outwards by that share already.
+    """
     origin = vertices[loops[group[0]][0][0]]
     up = np.array([0.0, 0.0, 1.0]) if abs(inwards[2]) < 0.9 else np.array([0.0, 1.0, 0.0])
     y = _unit(up - inwards * (up @ inwards))
@@ -180,7 +224,9 @@ def _walls(
         ids = [f for f in group if part.buffer(0.01).contains(polygons[f].representative_point())]
         polygon = tidy(part)
         outline = [np.array(r.coords)[:-1] for r in (polygon.exterior, *polygon.interiors)]
-        walls.append(SlantedWall(tuple(ids), float(thickness), place, tuple(outline)))
+        walls.append(
+            SlantedWall(tuple(ids), float(thickness), place, tuple(outline), share * thickness)
+        )
     return walls
 
 
@@ -192,7 +238,7 @@ def _with_common_corners(walls: Sequence[SlantedWall]) -> tuple[SlantedWall, ...
         local = (corners - wall.world_from_wall[:3, 3]) @ wall.world_from_wall[:3, :3]
         flat = local[np.abs(local[:, 2]) < 1e-4][:, :2]
         rings = tuple(_split(ring, flat) for ring in wall.rings)
-        result.append(SlantedWall(wall.face_ids, wall.thickness_mm, wall.world_from_wall, rings))
+        result.append(replace(wall, rings=rings))
     return tuple(result)
 
 

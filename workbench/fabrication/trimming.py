@@ -24,7 +24,8 @@ from .slanted_walls import FINE_MM, SlantedWall
 OVERLAP_MM3 = 1e-6
 
 
-def _body(wall: SlantedWall, outline: Polygon) -> manifold3d.Manifold:
+def plate_body(wall: SlantedWall, outline: Polygon) -> manifold3d.Manifold:
+    """A wall's plate in the world."""
     rings = [
         np.array(ring.coords)[:-1]
         for part in shapely.get_parts(outline)
@@ -43,6 +44,7 @@ def pointed(
     A plate keeps behind its neighbours by its tips; behind the others it is kept here.
     """
     result = list(outlines)
+    all_convex = all(seam.theta_rad < np.pi for seam in seams.values())
     for corner in find_corners(walls):
         convex = all(
             seams[w, r, e].theta_rad < np.pi for w, r, e in corner.edges if (w, r, e) in seams
@@ -51,10 +53,11 @@ def pointed(
             continue
         for w in corner.walls:
             for other in corner.walls:
-                outside = _outside(walls[other], corner.point, corner.reach / 2)
-                shared = _body(walls[w], result[w]) ^ outside
+                reach = 4 * corner.reach if all_convex else corner.reach / 2
+                outside = _outside(walls[other], corner.point, reach)
+                shared = plate_body(walls[w], result[w]) ^ outside
                 if w != other and shared.volume() > OVERLAP_MM3:
-                    result[w] = result[w].difference(_shadow(walls[w], shared), grid_size=FINE_MM)
+                    result[w] = result[w].difference(shadow_of(walls[w], shared), grid_size=FINE_MM)
     return result
 
 
@@ -64,22 +67,53 @@ def _outside(wall: SlantedWall, point: Array, reach: float) -> manifold3d.Manifo
     return cube.trim_by_plane(-wall.inwards, float(-wall.inwards @ point))
 
 
-def _shadow(wall: SlantedWall, solid: manifold3d.Manifold) -> Polygon:
+def shadow_of(wall: SlantedWall, solid: manifold3d.Manifold) -> Polygon:
     """What must be cut from a wall to be rid of a part of its body: the cut is square to it."""
     back = np.linalg.inv(wall.world_from_wall)[:3]
     return _polygon(solid.transform(back).project()).buffer(1e-4, join_style="mitre")
 
 
+def trimmed_at_openings(
+    walls: Sequence[SlantedWall],
+    openings: Sequence[SlantedWall],
+    outlines: Sequence[Polygon],
+    first: int,
+) -> list[Polygon]:
+    """The outlines of partitions (from number `first` on) that do not stick out of openings."""
+    result = list(outlines)
+    for n in range(first, len(walls)):
+        for opening in openings:
+            body = plate_body(walls[n], result[n])
+            beyond = body.trim_by_plane(
+                -opening.inwards, float(-opening.inwards @ opening.world_from_wall[:3, 3])
+            )
+            region = plate_body(
+                SlantedWall((), 2 * walls[n].thickness_mm, _behind(opening, walls[n]), ()),
+                Polygon(opening.rings[0]).buffer(walls[n].thickness_mm, join_style="mitre"),
+            )
+            shared = beyond ^ region
+            if shared.volume() > OVERLAP_MM3:
+                result[n] = result[n].difference(shadow_of(walls[n], shared), grid_size=FINE_MM)
+    return result
+
+
+def _behind(opening: SlantedWall, wall: SlantedWall) -> Array:
+    """The frame of the space just outside of an opening."""
+    place = opening.world_from_wall.copy()
+    place[:3, 3] -= 2 * wall.thickness_mm * opening.inwards
+    return place
+
+
 def trimmed(walls: Sequence[SlantedWall], outlines: Sequence[Polygon]) -> list[Polygon]:
     """The outlines without what overlaps a lower plate: the shadow of it, square to the sheet."""
     result = list(outlines)
-    bodies = [_body(wall, outline) for wall, outline in zip(walls, result, strict=True)]
+    bodies = [plate_body(wall, outline) for wall, outline in zip(walls, result, strict=True)]
     for high in range(len(walls)):
         for low in range(high):
             shared = bodies[low] ^ bodies[high]
             if shared.volume() <= OVERLAP_MM3:
                 continue
-            shadow = _shadow(walls[high], shared)
+            shadow = shadow_of(walls[high], shared)
             if shadow.area > 0.5 * result[high].area:
                 raise FabricationError(
                     "the plates would lie in one another",
@@ -87,7 +121,7 @@ def trimmed(walls: Sequence[SlantedWall], outlines: Sequence[Polygon]) -> list[P
                     "thinner plates",
                 )
             result[high] = result[high].difference(shadow, grid_size=FINE_MM)
-            bodies[high] = _body(walls[high], result[high])
+            bodies[high] = plate_body(walls[high], result[high])
     return result
 
 

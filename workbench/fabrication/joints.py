@@ -1,0 +1,294 @@
+"""How two plates hold together where they meet: decided here, and changed by the person's choices.
+
+Terms
+-----
+meeting
+    Where two plates share space along a line: L (both end there), T (one ends on the other) or
+    X (both pass).
+joint
+    What is made of a meeting: ``finger`` (L), ``tab_slot`` (T), ``half_lap`` (X), ``butt`` (one
+    covers the other's edge) or ``none`` (both end before the shared space, which stays empty).
+choice
+    What a person wants of the joints at one edge of the sketch, or between two faces.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+
+from .dihedral import FINGERS_FROM_RAD, FINGERS_TO_RAD
+from .errors import FabricationError, SettingsError
+
+KINDS = ("finger", "butt", "half_lap", "tab_slot", "none")
+#: What each meeting can become; the first is made if nothing speaks against it.
+POSSIBLE = {
+    "L": ("finger", "butt", "none"),
+    "T": ("tab_slot", "butt", "none"),
+    "X": ("half_lap", "tab_slot"),
+}
+_FORMS = {"L": "both plates end", "T": "one plate ends on the other", "X": "both plates pass"}
+HOW_TO_SAY = "EDGE=KIND like e5=butt or f1:f2=finger,finger=8,play=0.1,owner=f1"
+
+
+@dataclass(frozen=True, slots=True)
+class JointChoice:
+    """What a person wants of some joints.
+
+    Parameters
+    ----------
+    where : str
+        The id of an edge, or of two faces with a colon between them.
+    kind : str or None
+        One of `KINDS`; None leaves it to us.
+    finger_mm, play_mm : float or None
+        Instead of the settings' own.
+    owner : str or None
+        The face whose plate has the end fingers, or covers the butted edge.
+
+    Raises
+    ------
+    SettingsError
+    """
+
+    where: str
+    kind: str | None = None
+    finger_mm: float | None = None
+    play_mm: float | None = None
+    owner: str | None = None
+
+    def __post_init__(self) -> None:
+        if not self.where.strip(":"):
+            raise SettingsError("a joint names no edge", (), HOW_TO_SAY)
+        if self.kind is not None and self.kind not in KINDS:
+            raise SettingsError(
+                f"there is no joint {self.kind!r}", (self.where,), ", ".join(("auto", *KINDS))
+            )
+        for name, value, most in (("finger", self.finger_mm, 1000.0), ("play", self.play_mm, 2.0)):
+            least = 0.5 if name == "finger" else 0.0
+            if value is not None and not least <= value <= most:
+                raise SettingsError(
+                    f"the joint's {name} is {value:g} mm",
+                    (self.where,),
+                    f"a number from {least:g} to {most:g} mm",
+                )
+
+    @staticmethod
+    def parse(text: str) -> JointChoice:
+        """A choice from text such as ``e5=butt`` or ``f1:f2=finger,finger=8,owner=f1``."""
+        where, _, wish = (part.strip() for part in text.partition("="))
+        kind, *rest = (part.strip() for part in wish.split(","))
+        known: dict[str, str] = {}
+        for part in rest:
+            name, _, value = (piece.strip() for piece in part.partition("="))
+            known[name] = value
+        numbers = {}
+        for name in ("finger", "play"):
+            try:
+                numbers[name] = float(known.pop(name)) if name in known else None
+            except ValueError:
+                raise SettingsError(
+                    f"the {name} in {text!r} is no number", (), HOW_TO_SAY
+                ) from None
+        owner = known.pop("owner", None)
+        if not kind or known:
+            raise SettingsError(f"{text!r} is no joint", (), HOW_TO_SAY)
+        kind = kind.replace("-", "_")
+        return JointChoice(
+            where, None if kind == "auto" else kind, numbers["finger"], numbers["play"], owner
+        )
+
+    def concerns(self, meeting: Meeting) -> bool:
+        """Whether this choice is about a meeting."""
+        if ":" not in self.where:
+            return self.where in meeting.edge_ids
+        one, two = self.where.split(":", 1)
+        pairs = ((meeting.one, meeting.two), (meeting.two, meeting.one))
+        return any(one in a and two in b for a, b in pairs)
+
+
+@dataclass(frozen=True, slots=True)
+class Meeting:
+    """Where two plates meet.
+
+    Parameters
+    ----------
+    form : str
+        ``L``, ``T`` (`one` passes) or ``X``.
+    one, two : tuple of face ids
+        Of the two plates; `one` owns the ends unless told otherwise.
+    edge_ids : tuple of str
+        The sketch's edges there.
+    theta_rad : float
+        Interior dihedral angle.
+    length_mm, least_mm : float
+        Of what is clear of the corners; of the narrowest finger that holds.
+    """
+
+    form: str
+    one: tuple[str, ...]
+    two: tuple[str, ...]
+    edge_ids: tuple[str, ...]
+    theta_rad: float
+    length_mm: float
+    least_mm: float
+
+    @property
+    def name(self) -> tuple[str, ...]:
+        """The edges' ids; the faces' where the sketch has no edge there."""
+        return self.edge_ids or (self.one[0], self.two[0])
+
+
+@dataclass(frozen=True, slots=True)
+class Joint:
+    """What is made of a meeting.
+
+    Parameters
+    ----------
+    meeting : Meeting
+    kind : str
+        One of `KINDS`.
+    finger_mm, play_mm : float
+        Wished width of fingers; clearance.
+    swapped : bool
+        True where the meeting's second plate owns the ends.
+    reason : str
+        Why it is not the usual kind; empty where it is, or where the person chose it.
+    """
+
+    meeting: Meeting
+    kind: str
+    finger_mm: float
+    play_mm: float
+    swapped: bool = False
+    reason: str = ""
+
+    @property
+    def owner(self) -> str:
+        """The face whose plate owns the ends."""
+        return (self.meeting.two if self.swapped else self.meeting.one)[0]
+
+    @property
+    def words(self) -> str:
+        """One line about it."""
+        degrees = math.degrees(self.meeting.theta_rad)
+        faces = f"{self.meeting.one[0]} and {self.meeting.two[0]}"
+        edges = f"{', '.join(self.meeting.edge_ids)}: " if self.meeting.edge_ids else ""
+        why = f" ({self.reason})" if self.reason else ""
+        kind = self.kind.replace("_", " ")
+        return f"{edges}{kind} between {faces} at {degrees:.0f} degrees{why}"
+
+
+@dataclass(slots=True)
+class JointPlan:
+    """Decides joints one after the other and remembers them.
+
+    Parameters
+    ----------
+    finger_mm, play_mm : float
+        The settings' own.
+    choices : tuple of JointChoice
+        The last one that concerns a meeting counts.
+    """
+
+    finger_mm: float
+    play_mm: float
+    choices: tuple[JointChoice, ...] = ()
+    joints: list[Joint] = field(default_factory=list)
+    _used: set[JointChoice] = field(default_factory=set)
+
+    def decide(self, meeting: Meeting, count: Callable[[float], int]) -> Joint:
+        """The joint of a meeting.
+
+        Parameters
+        ----------
+        meeting : Meeting
+        count : callable
+            From the wished width of fingers to how many there is room for; 1 means none.
+
+        Raises
+        ------
+        FabricationError
+            Where the chosen joint cannot be made.
+        """
+        wish = JointChoice("-")
+        for choice in self.choices:
+            if choice.concerns(meeting):
+                self._used.add(choice)
+                wish = choice
+        finger = self.finger_mm if wish.finger_mm is None else wish.finger_mm
+        play = self.play_mm if wish.play_mm is None else wish.play_mm
+        possible = POSSIBLE[meeting.form]
+        kind = wish.kind or possible[0]
+        if meeting.form == "T" and kind == "finger":
+            kind = "tab_slot"
+        if kind not in possible:
+            raise FabricationError(
+                f"no {kind.replace('_', ' ')} joint can be made where {_FORMS[meeting.form]}",
+                meeting.name,
+                " or ".join(possible).replace("_", " "),
+            )
+        reason = ""
+        if meeting.form != "X" and kind in ("finger", "tab_slot"):
+            reason = why_no_fingers(meeting, count(finger))
+        if reason:
+            if wish.kind is not None:
+                raise FabricationError(f"fingers cannot hold here: {reason}", meeting.name, "butt")
+            kind = "butt"
+        joint = Joint(meeting, kind, finger, play, self._swapped(meeting, wish.owner), reason)
+        self.joints.append(joint)
+        return joint
+
+    def _swapped(self, meeting: Meeting, owner: str | None) -> bool:
+        if owner is None or owner in meeting.one:
+            return False
+        if owner not in meeting.two:
+            raise SettingsError(
+                f"{owner} does not meet this edge",
+                meeting.name,
+                f"owner {meeting.one[0]} or {meeting.two[0]}",
+            )
+        if meeting.form == "T":
+            raise SettingsError(
+                f"{owner} ends on {meeting.one[0]}, which must own the ends",
+                meeting.name,
+                f"owner {meeting.one[0]}",
+            )
+        return True
+
+    def has_corner(self, edge_ids: Iterable[str]) -> bool:
+        """Whether two plates end on one another in one of these edges."""
+        wanted = set(edge_ids)
+        return any(j.meeting.form == "L" and wanted & {*j.meeting.edge_ids} for j in self.joints)
+
+    def check_used(self) -> None:
+        """Refuse choices that concern no joint, by their names."""
+        unused = [choice.where for choice in self.choices if choice not in self._used]
+        if unused:
+            raise SettingsError(
+                "no two plates meet there", unused, f"one of {_some(self._names())}"
+            )
+
+    def _names(self) -> list[str]:
+        return list(dict.fromkeys(":".join(j.meeting.name) for j in self.joints))
+
+
+def why_no_fingers(meeting: Meeting, count: int) -> str:
+    """Why fingers cannot hold at a meeting; empty where they can."""
+    folded = min(meeting.theta_rad, 2 * math.pi - meeting.theta_rad)
+    if not FINGERS_FROM_RAD <= folded <= FINGERS_TO_RAD:
+        degrees = math.degrees(folded)
+        return f"{degrees:.0f} degrees; fingers hold from 30 to 150 degrees"
+    if count < 2:
+        least = meeting.least_mm * (3 if meeting.form == "L" else 1)
+        return (
+            f"{max(meeting.length_mm, 0.0):.1f} mm clear of the corners; "
+            f"fingers need {least:.1f} mm at least"
+        )
+    return ""
+
+
+def _some(names: Iterable[str], most: int = 8) -> str:
+    names = list(names)
+    return ", ".join(names[:most]) + (", ..." if len(names) > most else "")

@@ -149,43 +149,9 @@ def _add_make(commands: Any) -> None:
         "NAME.dxf, .svg, .step, .plates.json (--laser), NAME.stl, .3mf, .step (--print; "
         "NAME.solid.step where both are asked), and always NAME.solution.json and NAME.png.",
     )
-    add = command.add_argument
-    add("--out", metavar="DIR", type=Path, required=True, help="folder for the files")
-    add("--laser", action="store_true", help="finger-jointed plates (the default)")
-    add("--print", action="store_true", dest="printed", help="a hollow solid")
-    add("--thickness", metavar="MM", type=float, default=3.0, help="of the stock (3)")
-    add("--kerf", metavar="MM", type=float, default=0.0, help="full width of the beam (0)")
-    add("--play", metavar="MM", type=float, default=0.0, help="clearance in the joints (0)")
-    add("--finger", metavar="MM", type=float, default=12.0, help="wished width of a finger (12)")
-    add(
-        "--sheet",
-        metavar="WxH",
-        type=_sheet,
-        help="size of the stock (the smallest usual sheet that holds every plate)",
-    )
-    add("--sheet-files", action="store_true", help="one DXF a sheet: NAME.dxf, NAME-2.dxf, ...")
-    add("--wall", metavar="MM", type=float, default=2.0, help="wall of the hollow solid (2)")
-    add(
-        "--side",
-        metavar="SIDE",
-        default="inside",
-        help="where the material lies: inside the drawn faces (default), outside, middle",
-    )
-    add(
-        "--open",
-        metavar="END",
-        default="wider",
-        dest="open_end",
-        help="open end of a turned solid: wider (default), bottom, top, both, none",
-    )
+    from .make_options import add_make_options
 
-
-def _sheet(text: str) -> tuple[float, float]:
-    try:
-        width, height = (float(part) for part in text.lower().replace("×", "x").split("x"))
-    except ValueError:
-        raise argparse.ArgumentTypeError(f"{text!r} is no size like 600x400") from None
-    return width, height
+    add_make_options(command)
 
 
 def name_of(sketch: Path) -> str:
@@ -276,39 +242,30 @@ def _make(arguments: argparse.Namespace) -> int:
     from ..solver import solve
     from ..solver.files import write_files
     from ..solver.solution import Status
-    from .fabrication.settings import PlateSettings, ShellSettings
+    from .make_options import order_of
     from .photos import load_photo
 
-    plate_settings = PlateSettings(
-        thickness_mm=arguments.thickness,
-        side=arguments.side,
-        finger_mm=arguments.finger,
-        play_mm=arguments.play,
-        kerf_mm=arguments.kerf,
-        sheet_mm=arguments.sheet,
-    )
-    shell_settings = ShellSettings(
-        wall_mm=arguments.wall, side=arguments.side, open_end=arguments.open_end
-    )
+    stem = name_of(arguments.sketch)
+    order = order_of(arguments, stem)
     graph = _load(arguments.sketch)
     photo, problem = load_photo(graph, arguments.sketch)
     if problem:
         _complain(f"warning: {problem}")
     solution = solve(graph)
-    stem = name_of(arguments.sketch)
     contents = {f"{stem}.solution.json": _solution_text(solution)}
+    details: tuple[str, ...] = ()
     if solution.status is Status.CONVERGED:
-        from .making import Order, made_files
+        from .making import made
 
-        order = Order(
-            stem,
-            plate_settings if arguments.laser or not arguments.printed else None,
-            shell_settings if arguments.printed else None,
-            arguments.sheet_files,
-        )
-        contents |= made_files(graph, solution, photo, order)
+        product = made(graph, solution, photo, order)
+        contents |= product.files
+        for note in product.notes:
+            _complain(f"note: {note}")
+        details = product.details if arguments.explain else ()
     write_files({arguments.out / name: data for name, data in contents.items()})
     status = _verdict(solution)
     for name in contents:
         print(arguments.out / name)
+    for line in details:
+        print(line)
     return status

@@ -2,20 +2,47 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
+
+import numpy as np
 
 from ..solver.graph import SketchGraph
 from ..solver.model import Model, build_model
 from ..solver.solution import Solution
-from .fabrication.plates import Plate, make_plates
-from .fabrication.settings import PlateSettings, ShellSettings
+from .fabrication.fits import effects
+from .fabrication.plates import Joined, Plate, joined_plates
+from .fabrication.settings import PlateSettings, ShellSettings, ShopSettings, bed_note
 
 if TYPE_CHECKING:
     from PIL import Image
 
+    from .fabrication.assembly import Step
     from .fabrication.rendering import Scene
+    from .fabrication.sheets import Sheet
+
+
+@dataclass(frozen=True, slots=True)
+class Extras:
+    """Files that are made only where they are asked for.
+
+    Parameters
+    ----------
+    pdf : bool
+        NAME.pdf: the sheets in true size.
+    parts : bool
+        NAME.parts.csv: the parts list.
+    coupon : bool
+        NAME.coupon.dxf and .svg: the fit test with these settings.
+    assembly : bool
+        NAME.assembly.txt, the order of putting together, and NAME.exploded.png.
+    """
+
+    pdf: bool = False
+    parts: bool = False
+    coupon: bool = False
+    assembly: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,18 +58,38 @@ class Order:
         At least one of the two.
     sheet_files : bool
         One DXF for each sheet instead of one for all.
+    shop : ShopSettings
+    extras : Extras
     """
 
     name: str
     plates: PlateSettings | None
     shell: ShellSettings | None = None
     sheet_files: bool = False
+    shop: ShopSettings = field(default_factory=ShopSettings)
+    extras: Extras = field(default_factory=Extras)
 
 
-def made_files(
-    graph: SketchGraph, solution: Solution, photo: Image.Image | None, order: Order
-) -> dict[str, bytes]:
-    """The files of an order.
+@dataclass(frozen=True, slots=True)
+class Made:
+    """The files by name, what a person should know about them, and more for who asks.
+
+    Parameters
+    ----------
+    files : mapping of file name to bytes
+    notes : tuple of str
+        Joints that are not what they usually are, a print larger than the bed.
+    details : tuple of str
+        What each setting does in millimetres, all joints, the order of putting together.
+    """
+
+    files: Mapping[str, bytes]
+    notes: tuple[str, ...]
+    details: tuple[str, ...]
+
+
+def made(graph: SketchGraph, solution: Solution, photo: Image.Image | None, order: Order) -> Made:
+    """Make what is ordered.
 
     Parameters
     ----------
@@ -54,7 +101,7 @@ def made_files(
 
     Returns
     -------
-    dict of file name to bytes
+    Made
 
     Raises
     ------
@@ -66,45 +113,118 @@ def made_files(
     thickness = order.plates.thickness_mm if order.plates else 3.0
     model = build_model(solution, thickness, graph.revolutions)
     files: dict[str, bytes] = {}
+    notes: list[str] = []
+    details: list[str] = []
     shown: tuple[str, Scene] | None = None
     if order.plates is not None:
-        plates = make_plates(model, order.plates)
-        files |= _plate_files(plates, order.plates, order)
-        shown = _plates_shown(plates)
+        joined = joined_plates(model, order.plates)
+        files |= _plate_files(joined, order.plates, order)
+        notes += joined.notes
+        notes += _locks(joined.plates, strict=order.extras.assembly)
+        details += [*effects(order.plates), *(joint.words for joint in joined.joints)]
+        if order.extras.assembly:
+            files |= _assembly_files(joined.plates, order.name)
+            details += [step.words for step in _steps(joined.plates)]
+        shown = _plates_shown(joined.plates)
     if order.shell is not None:
         ending = "solid.step" if order.plates is not None else "step"
-        scene = _solid(model, order.shell, files, order.name, ending)
+        scene, note = _solid(model, order.shell, files, order.name, ending)
+        notes += [note] if note else []
         shown = shown or ("Solid", scene)
     if shown is not None:
         what, scene = shown
         caption = caption_of(what, scene.triangles_mm)
         files[f"{order.name}.png"] = picture_png(graph, solution, scene, photo, caption)
-    return files
+    return Made(files, tuple(notes), tuple(details))
 
 
-def _plate_files(
-    plates: Sequence[Plate], settings: PlateSettings, order: Order
-) -> dict[str, bytes]:
+def _plate_files(joined: Joined, settings: PlateSettings, order: Order) -> dict[str, bytes]:
     from .fabrication.dxf import dxf_bytes
+    from .fabrication.marks import edge_marks
     from .fabrication.plates_json import plates_json_bytes
+    from .fabrication.presets import load_preset
     from .fabrication.sheets import lay_out
     from .fabrication.solids import plates_step_bytes
     from .fabrication.svg import svg_bytes
 
-    name = order.name
-    sheets = lay_out(plates, settings)
+    name, plates, preset = order.name, joined.plates, load_preset(order.shop.preset)
+    sheets = lay_out(plates, settings, edge_marks(plates, joined.joints))
     if order.sheet_files:
         drawings = {
-            f"{name}{'' if n == 1 else f'-{n}'}.dxf": dxf_bytes([sheet])
+            f"{name}{'' if n == 1 else f'-{n}'}.dxf": dxf_bytes([sheet], preset)
             for n, sheet in enumerate(sheets, start=1)
         }
     else:
-        drawings = {f"{name}.dxf": dxf_bytes(sheets)}
+        drawings = {f"{name}.dxf": dxf_bytes(sheets, preset)}
     return {
         **drawings,
-        f"{name}.svg": svg_bytes(sheets),
+        f"{name}.svg": svg_bytes(sheets, preset),
         f"{name}.step": plates_step_bytes(plates, name),
         f"{name}.plates.json": plates_json_bytes(plates),
+        **extra_files(plates, sheets, settings, order),
+    }
+
+
+def extra_files(
+    plates: Sequence[Plate], sheets: Sequence[Sheet], settings: PlateSettings, order: Order
+) -> dict[str, bytes]:
+    """The PDF, the parts list and the fit test, where they are asked for."""
+    from .fabrication.parts import parts_csv_bytes, parts_list
+    from .fabrication.pdf import pdf_bytes
+    from .fabrication.presets import load_preset
+
+    files, name, shop = {}, order.name, order.shop
+    if order.extras.pdf:
+        files[f"{name}.pdf"] = pdf_bytes(sheets, load_preset(shop.preset), shop.page)
+    if order.extras.parts:
+        files[f"{name}.parts.csv"] = parts_csv_bytes(parts_list(plates, sheets, shop))
+    if order.extras.coupon:
+        files |= coupon_files(settings, shop, name)
+    return files
+
+
+def coupon_files(settings: PlateSettings, shop: ShopSettings, name: str) -> dict[str, bytes]:
+    """The fit test with these settings, as NAME.coupon.dxf and .svg."""
+    from .fabrication.dxf import dxf_bytes
+    from .fabrication.fits import coupon_sheets
+    from .fabrication.presets import load_preset
+    from .fabrication.svg import svg_bytes
+
+    sheets, preset = coupon_sheets(settings), load_preset(shop.preset)
+    return {
+        f"{name}.coupon.dxf": dxf_bytes(sheets, preset),
+        f"{name}.coupon.svg": svg_bytes(sheets, preset),
+    }
+
+
+def _steps(plates: Sequence[Plate]) -> tuple[Step, ...]:
+    from .fabrication.assembly import assembly_steps
+
+    return assembly_steps(plates)
+
+
+def _locks(plates: Sequence[Plate], *, strict: bool) -> list[str]:
+    """What to say where plates cannot be put together; an error where the order is asked for."""
+    from .fabrication.assembly import LockedError
+
+    try:
+        _steps(plates)
+    except LockedError as error:
+        if strict:
+            raise
+        return [str(error)]
+    return []
+
+
+def _assembly_files(plates: Sequence[Plate], name: str) -> dict[str, bytes]:
+    from .fabrication.assembly import exploded
+    from .fabrication.picture import scene_png
+    from .fabrication.rendering import plates_scene
+
+    lines = [f"{n}. {step.words}" for n, step in enumerate(_steps(plates), start=1)]
+    return {
+        f"{name}.assembly.txt": "\n".join([*lines, ""]).encode(),
+        f"{name}.exploded.png": scene_png(plates_scene(exploded(plates))),
     }
 
 
@@ -117,16 +237,18 @@ def _plates_shown(plates: Sequence[Plate]) -> tuple[str, Scene]:
 
 def _solid(
     model: Model, settings: ShellSettings, files: dict[str, bytes], name: str, ending: str
-) -> Scene:
-    """Add the files of the hollow solid; how it looks is returned."""
+) -> tuple[Scene, str]:
+    """Add the files of the solid; how it looks, and what to say about it, are returned."""
     from .fabrication.meshes import mesh_of, stl_bytes, threemf_bytes
     from .fabrication.rendering import mesh_scene
     from .fabrication.shell import shell_solid
     from .fabrication.solids import shape_step_bytes
 
     solid = shell_solid(model, settings)
-    mesh = mesh_of(solid)
+    mesh = mesh_of(solid, settings.tolerance_mm)
     files[f"{name}.stl"] = stl_bytes(mesh)
     files[f"{name}.3mf"] = threemf_bytes(mesh, name)
     files[f"{name}.{ending}"] = shape_step_bytes(solid, name)
-    return mesh_scene(mesh.vertices_mm, mesh.triangles)
+    x, y, z = np.ptp(mesh.vertices_mm, axis=0).tolist()
+    note = bed_note((x, y, z), settings.bed_mm)
+    return mesh_scene(mesh.vertices_mm, mesh.triangles), note

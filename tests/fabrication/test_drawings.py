@@ -14,8 +14,8 @@ import shapely
 from fabrication import shapes
 
 from incontext.workbench.fabrication import PlateSettings, make_plates
-from incontext.workbench.fabrication.drawing import LAYERS
 from incontext.workbench.fabrication.dxf import dxf_bytes
+from incontext.workbench.fabrication.presets import PURPOSES
 from incontext.workbench.fabrication.sheets import lay_out
 from incontext.workbench.fabrication.strokes import text_strokes, text_width_mm
 from incontext.workbench.fabrication.svg import svg_bytes
@@ -42,7 +42,7 @@ def test_head_of_the_dxf(document):
 def test_only_polylines_and_closed_ones_to_cut(document):
     for entity in document.modelspace():
         assert entity.dxftype() == "LWPOLYLINE"
-        assert entity.dxf.layer in LAYERS
+        assert entity.dxf.layer in PURPOSES
         if entity.dxf.layer.startswith("CUT"):
             assert entity.closed
 

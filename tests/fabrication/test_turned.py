@@ -77,7 +77,7 @@ def test_a_lid_is_open_below_and_a_saucer_above():
 @pytest.mark.parametrize(
     ("model", "words"),
     [
-        (model_of((20, 0), (20, 30)), "no wall of 25 mm"),
+        (model_of((20, 0), (20, 30)), "wall of 25 mm is too thick"),
         (model_of((20, 0), (-5, 10), (20, 30)), "crosses itself or the axis"),
         (model_of((20, 0), (30, 30), (30, 5), (10, 20)), "crosses itself or the axis"),
     ],

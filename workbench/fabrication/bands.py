@@ -138,6 +138,11 @@ class _Band:
     owner: int
 
 
+def _point(position: Array) -> tuple[float, float, float]:
+    x, y, z = position.tolist()
+    return x, y, z
+
+
 def _bands(
     walls: Sequence[SlantedWall],
     seams: Seams,
@@ -163,6 +168,7 @@ def _bands(
             seam.theta_rad,
             high - low,
             least,
+            _point(ends.mean(axis=0)),
         )
 
         def count(finger: float, length: float = high - low, least: float = least) -> int:

@@ -20,6 +20,7 @@ from shapely.geometry import Polygon
 from ...solver.values import Array
 from .errors import FabricationError
 from .plates import Plate
+from .relief import relieved
 
 #: How far a mitre may reach, in half kerfs; sharper corners are cut off.
 MITRE_LIMIT = 5.0
@@ -48,7 +49,7 @@ class CutPath:
     inner: tuple[Array, ...]
 
 
-def cut_path(plate: Plate, kerf_mm: float) -> CutPath:
+def cut_path(plate: Plate, kerf_mm: float, relief: str = "none", tool_mm: float = 0.0) -> CutPath:
     """The path of the beam around a plate.
 
     Parameters
@@ -56,6 +57,8 @@ def cut_path(plate: Plate, kerf_mm: float) -> CutPath:
     plate : Plate
     kerf_mm : float
         0 gives the finished outline itself.
+    relief, tool_mm
+        At corners that look inwards; see `relieved`.
 
     Returns
     -------
@@ -66,9 +69,12 @@ def cut_path(plate: Plate, kerf_mm: float) -> CutPath:
     FabricationError
         Naming the plate, where a notch or hole is narrower than the kerf.
     """
+    rings = [plate.outline, *plate.holes]
+    if relief != "none":
+        rings = relieved(plate, relief, tool_mm)
     if kerf_mm == 0:
-        return CutPath(plate.id, plate.thickness_mm, plate.outline, plate.holes)
-    outline, *hollows = (Polygon(ring) for ring in (plate.outline, *plate.holes))
+        return CutPath(plate.id, plate.thickness_mm, rings[0], tuple(rings[1:]))
+    outline, *hollows = (Polygon(ring) for ring in rings)
     outer = _moved(outline, kerf_mm / 2)
     holes = [_moved(hollow, -kerf_mm / 2) for hollow in hollows]
     narrow = _lost_mm2(outline, kerf_mm / 2) + sum(_lost_mm2(h, -kerf_mm / 2) for h in hollows)

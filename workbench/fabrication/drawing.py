@@ -2,9 +2,9 @@
 
 Terms
 -----
-layer
-    What a path is for. Names and colours are not the same in any two shops; ours say what they
-    mean, and holes have their own layer so that they can be cut first.
+purpose
+    What a path is for, one of `PURPOSES`; a preset says on which layer it goes in which colour.
+    Holes have their own purpose so that they can be cut first.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...solver.values import Array
+from .presets import PURPOSES, Preset
 from .sheets import Sheet
 from .strokes import text_strokes
 
@@ -23,29 +24,11 @@ GAP_MM = 20.0
 SCALE_BAR_MM = 100.0
 
 
-@dataclass(frozen=True, slots=True)
-class Layer:
-    """A layer's colours: AutoCAD colour index for DXF, hexadecimal for SVG."""
-
-    aci: int
-    rgb: str
-
-
-#: In the order in which a machine should work.
-LAYERS = {
-    "ENGRAVE": Layer(5, "#0000ff"),
-    "CUT_INNER": Layer(6, "#ff00ff"),
-    "CUT_OUTER": Layer(1, "#ff0000"),
-    "SHEET": Layer(8, "#808080"),
-    "SCALE": Layer(9, "#808080"),
-}
-
-
 @dataclass(frozen=True, slots=True, eq=False)
 class Path:
-    """A polyline on a layer; mm, y upwards."""
+    """A polyline with its purpose; mm, y upwards."""
 
-    layer: str
+    purpose: str
     points: Array
     closed: bool
 
@@ -59,17 +42,19 @@ class Drawing:
     high_mm: tuple[float, float]
 
 
-def draw(sheets: Sequence[Sheet]) -> Drawing:
+def draw(sheets: Sequence[Sheet], preset: Preset | None = None) -> Drawing:
     """All sheets side by side, with a scale bar below.
 
     Parameters
     ----------
     sheets : sequence of Sheet
+    preset : Preset or None
+        Whose hidden layers are left out.
 
     Returns
     -------
     Drawing
-        Sorted by layers in the order of `LAYERS`; the first sheet's corner lies in the origin.
+        Sorted in the order of `PURPOSES`; the first sheet's corner lies in the origin.
     """
     paths: list[Path] = []
     x = 0.0
@@ -77,8 +62,9 @@ def draw(sheets: Sequence[Sheet]) -> Drawing:
         paths += _sheet_paths(sheet, np.array([x, 0.0]))
         x += sheet.width_mm + GAP_MM
     paths += _scale_bar(np.array([0.0, -GAP_MM]))
-    order = list(LAYERS)
-    paths.sort(key=lambda path: order.index(path.layer))
+    paths.sort(key=lambda path: PURPOSES.index(path.purpose))
+    if preset is not None:
+        paths = [path for path in paths if preset.layers[path.purpose].shown]
     every = np.vstack([path.points for path in paths])
     low, high = every.min(axis=0), every.max(axis=0)
     return Drawing(tuple(paths), (float(low[0]), float(low[1])), (float(high[0]), float(high[1])))

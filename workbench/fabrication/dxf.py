@@ -13,42 +13,51 @@ from ezdxf._options import options
 from ezdxf.document import Drawing as Document
 from ezdxf.filemanagement import new
 
-from .drawing import LAYERS, Drawing, draw
+from .drawing import Drawing, draw
+from .presets import DEFAULT, Preset, load_preset
 from .sheets import Sheet
 
 
-def dxf_bytes(sheets: Sequence[Sheet]) -> bytes:
+def dxf_bytes(sheets: Sequence[Sheet], preset: Preset | None = None) -> bytes:
     """All sheets as one DXF file.
 
     Parameters
     ----------
     sheets : sequence of Sheet
+    preset : Preset or None
+        Names and colours of layers; None takes the plain ones.
 
     Returns
     -------
     bytes
         Equal for equal sheets.
     """
+    preset = preset or load_preset(DEFAULT)
     with _fixed_dates():
-        document = _document(draw(sheets))
+        document = _document(draw(sheets, preset), preset)
         text = io.StringIO()
         document.write(text)
     return text.getvalue().encode(document.output_encoding, errors="dxfreplace")
 
 
-def _document(drawing: Drawing) -> Document:
+def _document(drawing: Drawing, preset: Preset) -> Document:
     document = new("R2000")
     document.header["$INSUNITS"] = 4
     document.header["$MEASUREMENT"] = 1
-    for name, layer in LAYERS.items():
-        document.layers.add(name, color=layer.aci)
-    # Neither the border of the stock nor the scale bar is to be cut or printed.
-    for name in ("SHEET", "SCALE"):
-        document.layers.get(name).dxf.plot = 0
+    for purpose, layer in preset.layers.items():
+        if layer.shown and layer.name not in document.layers:
+            document.layers.add(layer.name, color=layer.aci)
+            # Neither the border of the stock nor the scale bar is to be cut or printed.
+            if purpose in ("SHEET", "SCALE"):
+                document.layers.get(layer.name).dxf.plot = 0
     space = document.modelspace()
     for path in drawing.paths:
+        layer = preset.layers[path.purpose]
+        attributes = {"layer": layer.name, "color": layer.aci} if layer.name == "0" else {}
         space.add_lwpolyline(
-            path.points.tolist(), close=path.closed, dxfattribs={"layer": path.layer}
+            path.points.tolist(),
+            close=path.closed,
+            dxfattribs=attributes or {"layer": layer.name},
         )
     space.reset_extents((*drawing.low_mm, 0.0), (*drawing.high_mm, 0.0))
     return document

@@ -20,7 +20,7 @@ from ...solver.values import Array
 from .cells import Cells, Run, meetings
 from .joints import Joint, JointPlan, Meeting
 from .junctions import junction_pieces
-from .pieces import NO_SLACK, Piece, Slack
+from .pieces import NO_SLACK, Corner, Piece, Slack
 from .settings import PlateSettings
 from .walls import Wall
 
@@ -84,8 +84,17 @@ def _joint(
         math.pi / 2,
         run.high_mm - run.low_mm,
         least if run.kind == "L" else least + 2 * thickness,
+        _middle(run, walls),
     )
     return plan.decide(meeting, lambda finger: len(_borders(run, thickness, finger, least, "")) - 1)
+
+
+def _middle(run: Run, walls: Sequence[Wall]) -> Corner:
+    spot = [0.0] * 3
+    for wall in (walls[run.one], walls[run.two]):
+        spot[wall.axis] = (wall.low_mm + wall.high_mm) / 2
+    spot[run.axis] = (run.low_mm + run.high_mm) / 2
+    return spot[0], spot[1], spot[2]
 
 
 def _lies_on(run: Run, walls: Sequence[Wall], ends: tuple[Array, Array]) -> bool:

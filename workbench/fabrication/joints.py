@@ -124,6 +124,8 @@ class Meeting:
         Interior dihedral angle.
     length_mm, least_mm : float
         Of what is clear of the corners; of the narrowest finger that holds.
+    middle_mm : (x, y, z)
+        About where it is, in the world once all is decided.
     """
 
     form: str
@@ -133,6 +135,7 @@ class Meeting:
     theta_rad: float
     length_mm: float
     least_mm: float
+    middle_mm: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
     @property
     def name(self) -> tuple[str, ...]:

@@ -16,6 +16,8 @@ from .errors import FabricationError
 if TYPE_CHECKING:
     import cadquery as cq
 
+#: How the print looks in a slicer, red, green and blue.
+PLASTIC = (196, 208, 222)
 #: Vertices of one corner come once for each face, equal to about 1e-12 mm; they are welded.
 _WELD_MM = 1e-6
 
@@ -111,6 +113,9 @@ def threemf_bytes(mesh: Mesh, name: str = "solid") -> bytes:
     body.SetGeometry(vertices, triangles)
     if not body.IsManifoldAndOriented():
         raise FabricationError("the surface is not closed", (), "a thinner or thicker wall")
+    materials = model.AddBaseMaterialGroup()
+    colour = wrapper.RGBAToColor(*PLASTIC, 255)
+    body.SetObjectLevelProperty(materials.GetResourceID(), materials.AddMaterial(name, colour))
     item = model.AddBuildItem(body, wrapper.GetIdentityTransform())
     # Identifiers of our own: the library would invent new ones each time.
     for number, set_uuid in enumerate((model.SetBuildUUID, body.SetUUID, item.SetUUID), start=1):

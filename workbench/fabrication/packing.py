@@ -23,7 +23,9 @@ class Place:
     turned: bool
 
 
-def pack(sizes: Sequence[tuple[float, float]], room: tuple[float, float]) -> list[Place]:
+def pack(
+    sizes: Sequence[tuple[float, float]], room: tuple[float, float], *, turnable: bool = True
+) -> list[Place]:
     """Places for rectangles, each of which fits into a bin on its own.
 
     Parameters
@@ -31,6 +33,8 @@ def pack(sizes: Sequence[tuple[float, float]], room: tuple[float, float]) -> lis
     sizes : sequence of (width, height)
     room : (width, height)
         Of a bin.
+    turnable : bool
+        False where rectangles must lie as they are (grain).
 
     Returns
     -------
@@ -43,7 +47,8 @@ def pack(sizes: Sequence[tuple[float, float]], room: tuple[float, float]) -> lis
         lambda n: (-min(sizes[n]), n),
         lambda n: (-sizes[n][0] - sizes[n][1], n),
     )
-    results = [_packed(sizes, sorted(range(len(sizes)), key=key), room) for key in keys]
+    turns = (False, True) if turnable else (False,)
+    results = [_packed(sizes, sorted(range(len(sizes)), key=key), room, turns) for key in keys]
     return min(results, key=lambda places: _waste(places, sizes))
 
 
@@ -58,15 +63,18 @@ def _waste(places: Sequence[Place], sizes: Sequence[tuple[float, float]]) -> tup
 
 
 def _packed(
-    sizes: Sequence[tuple[float, float]], order: Sequence[int], room: tuple[float, float]
+    sizes: Sequence[tuple[float, float]],
+    order: Sequence[int],
+    room: tuple[float, float],
+    turns: Sequence[bool],
 ) -> list[Place]:
     places: dict[int, Place] = {}
     bins: list[list[Rect]] = []
     for n in order:
-        best = _best(bins, sizes[n])
+        best = _best(bins, sizes[n], turns)
         if best is None:
             bins.append([(0.0, 0.0, room[0] + _EPS, room[1] + _EPS)])
-            best = _best(bins, sizes[n])
+            best = _best(bins, sizes[n], turns)
         if best is None:
             raise ValueError(f"rectangle {n} of {sizes[n]} does not fit into {room}")
         places[n] = best
@@ -75,12 +83,15 @@ def _packed(
     return [places[n] for n in range(len(sizes))]
 
 
-def _best(bins: Sequence[Sequence[Rect]], size: tuple[float, float]) -> Place | None:
+def _best(
+    bins: Sequence[Sequence[Rect]], size: tuple[float, float], turns: Sequence[bool]
+) -> Place | None:
     """The tightest place in the first bin that has one."""
     for number, free in enumerate(bins):
         found = []
         for x, y, width, height in free:
-            for turned, (w, h) in ((False, size), (True, size[::-1])):
+            for turned in turns:
+                w, h = size[::-1] if turned else size
                 spare = sorted((width - w, height - h))
                 if spare[0] >= -_EPS:
                     found.append((round(spare[0], 6), round(spare[1], 6), y, x, turned))

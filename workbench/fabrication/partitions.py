@@ -232,6 +232,16 @@ def _join(
     outlines[p] = shapely.union_all([cut, *tabs], grid_size=FINE_MM) if tabs else cut
 
 
+def _point(position: Array) -> tuple[float, float, float]:
+    x, y, z = position.tolist()
+    return x, y, z
+
+
+def _world(wall: SlantedWall, point: Array) -> tuple[float, float, float]:
+    """A point of a partition's drawn plane in the world."""
+    return _point(wall.world_from_wall[:3] @ np.array([*point, wall.drawn_mm, 1.0]))
+
+
 def _tabs(run: Interval, finger: float, least: float) -> list[Interval]:
     """Where the tabs of a run are; one where it is too short for more."""
     low, high = run
@@ -358,6 +368,7 @@ def _cross(
         math.acos(min(1.0, cosine)),
         lap.length,
         0.0,
+        _point(ends.mean(axis=0)),
     )
     joint = plan.decide(meeting, lambda _: 1)
     first, second = (two, one) if joint.swapped else (one, two)

@@ -54,6 +54,15 @@ def picture_png(
     page.paste(left, (_PAD, _PAD))
     page.paste(right, (left.width + 2 * _PAD, _PAD))
     _write(page, caption, left.width + 2 * _PAD + right.width / 2)
+    return _png(page)
+
+
+def scene_png(scene: Scene, size_px: tuple[int, int] = (1200, 900)) -> bytes:
+    """A scene alone as PNG, seen from the front, right and above."""
+    return _png(render(scene, None, size_px))
+
+
+def _png(page: Image.Image) -> bytes:
     buffer = io.BytesIO()
     page.save(buffer, "PNG")
     return buffer.getvalue()

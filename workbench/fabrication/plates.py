@@ -11,7 +11,7 @@ plate frame
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from shapely.geometry import Polygon
@@ -77,7 +77,7 @@ def make_plates(model: Model, settings: PlateSettings = _DEFAULTS) -> tuple[Plat
     return joined_plates(model, settings).plates
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Joined:
     """Plates, and the joints between them."""
 
@@ -129,8 +129,15 @@ def joined_plates(model: Model, settings: PlateSettings = _DEFAULTS) -> Joined:
         plates = tuple(
             _plate(wall, outline, frame) for wall, outline in zip(walls, outlines, strict=True)
         )
+        place = frame.world_from_frame()
+        plan.joints = [_in_world(joint, place) for joint in plan.joints]
     plan.check_used()
     return Joined(plates, tuple(plan.joints))
+
+
+def _in_world(joint: Joint, place: Array) -> Joint:
+    x, y, z = (place[:3, :3] @ joint.meeting.middle_mm + place[:3, 3]).tolist()
+    return replace(joint, meeting=replace(joint.meeting, middle_mm=(x, y, z)))
 
 
 def _edges(model: Model, frame: Frame) -> dict[str, tuple[Array, Array]]:

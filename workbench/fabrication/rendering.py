@@ -20,13 +20,13 @@ from PIL import Image, ImageDraw, ImageFilter
 from ...solver.camera import Camera
 from ...solver.union_find import UnionFind
 from ...solver.values import Array
+from .meshes import PLASTIC
 from .plates import Plate
 
 WOOD = (233, 203, 158)
 BURNT = (150, 106, 66)
 #: Facets that meet at less than about 15 degrees belong to one curved face.
 CREASE_COSINE = 0.966
-PLASTIC = (196, 208, 222)
 OUTLINE = (74, 56, 40)
 #: Each pixel is drawn as so many by so many.
 SUPERSAMPLING = 3

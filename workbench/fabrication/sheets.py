@@ -10,7 +10,7 @@ part
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -29,6 +29,9 @@ from .strokes import text_strokes, text_width_mm
 TEXT_HEIGHTS_MM = (8.0, 6.0, 5.0, 4.0, 3.0, 2.5)
 
 
+Marks = Mapping[str, Sequence[Array]]
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Part:
     """One plate on a sheet; all positions in mm from the sheet's lower left corner.
@@ -39,7 +42,7 @@ class Part:
     outer : (k, 2) array
     inner : tuple of (k, 2) arrays
     name : tuple of (k, 2) arrays
-        The strokes of its name; empty where it does not fit.
+        What is engraved: the strokes of its name, empty where it does not fit, and its marks.
     """
 
     plate_id: str
@@ -58,14 +61,18 @@ class Sheet:
     parts: tuple[Part, ...]
 
 
-def lay_out(plates: Sequence[Plate], settings: PlateSettings) -> tuple[Sheet, ...]:
+def lay_out(
+    plates: Sequence[Plate], settings: PlateSettings, marks: Marks | None = None
+) -> tuple[Sheet, ...]:
     """Cut paths of all plates, laid out on as few sheets as can be found.
 
     Parameters
     ----------
     plates : sequence of Plate
     settings : PlateSettings
-        `kerf_mm`, `sheet_mm`, `margin_mm` and `spacing_mm` are used.
+        All about cutting and sheets is used.
+    marks : mapping of plate id to strokes
+        In the plate's frame, to be engraved besides its name.
 
     Returns
     -------
@@ -77,13 +84,15 @@ def lay_out(plates: Sequence[Plate], settings: PlateSettings) -> tuple[Sheet, ..
     FabricationError
         Where a plate is larger than the sheet, or a notch narrower than the kerf.
     """
-    paths = [cut_path(plate, settings.kerf_mm) for plate in plates]
+    paths = [
+        cut_path(plate, settings.kerf_mm, settings.relief, settings.tool_mm) for plate in plates
+    ]
     size = settings.sheet_mm or _usual_sheet(paths, settings)
     _check_fit(paths, size, settings)
     sheets: list[Sheet] = []
     for thickness in sorted({path.thickness_mm for path in paths}):
         group = [path for path in paths if path.thickness_mm == thickness]
-        sheets += _sheets(group, size, thickness, settings)
+        sheets += _sheets(group, size, thickness, settings, marks or {})
     return tuple(sheets)
 
 
@@ -96,15 +105,18 @@ def _room(size: tuple[float, float], settings: PlateSettings) -> tuple[float, fl
     return size[0] - 2 * settings.margin_mm, size[1] - 2 * settings.margin_mm
 
 
-def _fits(path: CutPath, room: tuple[float, float]) -> bool:
+def _fits(path: CutPath, room: tuple[float, float], grain: str) -> bool:
     width, height = _size(path)
+    if grain != "free":
+        across, up = (height, width) if grain == "x" else (width, height)
+        return across <= room[0] + 1e-9 and up <= room[1] + 1e-9
     long, short = max(room), min(room)
     return max(width, height) <= long + 1e-9 and min(width, height) <= short + 1e-9
 
 
 def _usual_sheet(paths: Sequence[CutPath], settings: PlateSettings) -> tuple[float, float]:
     for size in USUAL_SHEETS_MM:
-        if all(_fits(path, _room(size, settings)) for path in paths):
+        if all(_fits(path, _room(size, settings), settings.grain) for path in paths):
             return size
     return USUAL_SHEETS_MM[-1]
 
@@ -113,12 +125,13 @@ def _check_fit(
     paths: Sequence[CutPath], size: tuple[float, float], settings: PlateSettings
 ) -> None:
     room = _room(size, settings)
-    large = [path for path in paths if not _fits(path, room)]
+    large = [path for path in paths if not _fits(path, room, settings.grain)]
     if large:
         width, height = _size(large[0])
         raise FabricationError(
             f"a plate of {width:.1f} x {height:.1f} mm does not fit on a sheet of {size[0]:g} x "
-            f"{size[1]:g} mm with a margin of {settings.margin_mm:g} mm",
+            f"{size[1]:g} mm with a margin of {settings.margin_mm:g} mm"
+            + ("" if settings.grain == "free" else f" and its grain along {settings.grain}"),
             (path.plate_id for path in large),
             "a larger sheet",
         )
@@ -129,31 +142,40 @@ def _sheets(
     size: tuple[float, float],
     thickness: float,
     settings: PlateSettings,
+    marks: Marks,
 ) -> list[Sheet]:
     gap, room = settings.spacing_mm, _room(size, settings)
+    across = settings.grain == "x"
     sizes = [(width + gap, height + gap) for width, height in map(_size, paths)]
-    places = pack(sizes, (room[0] + gap, room[1] + gap))
+    sizes = [size[::-1] for size in sizes] if across else sizes
+    places = pack(sizes, (room[0] + gap, room[1] + gap), turnable=settings.grain == "free")
     sheets = []
     for number in range(max(place.sheet for place in places) + 1):
         parts = []
         for path, place in zip(paths, places, strict=True):
             if place.sheet == number:
                 corner = np.array([place.x + settings.margin_mm, place.y + settings.margin_mm])
-                parts.append(_part(path, corner, turned=place.turned))
+                strokes = marks.get(path.plate_id, ())
+                parts.append(_part(path, corner, strokes, turned=place.turned or across))
         sheets.append(Sheet(size[0], size[1], thickness, tuple(parts)))
     return sheets
 
 
-def _part(path: CutPath, corner: Array, *, turned: bool) -> Part:
+def _part(path: CutPath, corner: Array, marks: Sequence[Array], *, turned: bool) -> Part:
     turn = np.array([[0.0, -1.0], [1.0, 0.0]]) if turned else np.eye(2)
     shift = corner - (path.outer @ turn.T).min(axis=0)
     outer, *inner = (np.round(ring @ turn.T + shift, 6) + 0.0 for ring in (path.outer, *path.inner))
-    return Part(path.plate_id, outer, tuple(inner), tuple(_name(path.plate_id, outer, inner)))
+    strokes = [np.round(mark @ turn.T + shift, 6) for mark in marks]
+    name = _name(path.plate_id, outer, inner, strokes)
+    return Part(path.plate_id, outer, tuple(inner), (*name, *strokes))
 
 
-def _name(text: str, outer: Array, inner: Sequence[Array]) -> list[Array]:
+def _name(text: str, outer: Array, inner: Sequence[Array], marks: Sequence[Array]) -> list[Array]:
     """Strokes of a name where it lies wholly within the part, near its middle."""
     free = Polygon(outer, inner).buffer(-1.0, join_style="mitre")
+    if marks:
+        taken = shapely.union_all([shapely.MultiPoint(mark).buffer(1.5) for mark in marks])
+        free = free.difference(taken)
     if free.is_empty:
         return []
     shapely.prepare(free)

@@ -54,11 +54,16 @@ def shell_solid(model: Model, settings: ShellSettings = _DEFAULTS) -> cq.Shape:
         return turned_solid(model, settings)
     body = polyhedron_of(model)
     block = _block(body)
+    if settings.solid:
+        return block
     windows = [id_ for id_ in body.openings if _is_window(body, id_)]
     mouths = [id_ for id_ in body.openings if id_ not in windows]
     wall = settings.wall_mm
     moves = {"inside": [-wall], "outside": [wall], "middle": [-wall / 2, wall / 2]}[settings.side]
-    parts = [_hollow(block, body, mouths, move) for move in moves]
+    try:
+        parts = [_hollow(block, body, mouths, move) for move in moves]
+    except FabricationError as error:
+        raise _too_thick(body, wall) from error
     slabs = [_thick(body, loops, -wall / 2, wall / 2) for loops in body.partitions.values()]
     parts += [slab.intersect(block) for slab in slabs]
     solid = parts[0].fuse(*parts[1:]) if len(parts) > 1 else parts[0]
@@ -66,6 +71,29 @@ def shell_solid(model: Model, settings: ShellSettings = _DEFAULTS) -> cq.Shape:
         # Beyond the wall on both sides, but not further into the hollow than the wall is thick.
         solid = solid.cut(_thick(body, body.skin[id_], -wall, wall))
     return _one_solid(solid.clean() if len(parts) > 1 or windows else solid, block)
+
+
+def _too_thick(body: Polyhedron, wall: float) -> FabricationError:
+    """Which part of the shape is too thin for its walls."""
+    points = np.array(list(body.vertices_mm.values()))
+    heights, opposite = {}, {}
+    for id_, loops in body.skin.items():
+        normal = _normal(body.points(loops[0]))
+        along = (points - body.vertices_mm[loops[0][0]]) @ normal
+        sense = 1.0 if along.max() > -along.min() else -1.0
+        heights[id_] = float((sense * along).max())
+        far = {
+            v
+            for v, x in zip(body.vertices_mm, sense * along, strict=True)
+            if x > heights[id_] - 1e-3
+        }
+        opposite[id_] = [f for f, other in body.skin.items() if far >= set(other[0])]
+    least = min(heights, key=lambda id_: heights[id_])
+    return FabricationError(
+        f"the wall of {wall:g} mm is too thick: the shape measures {heights[least]:.4g} mm here",
+        (least, *opposite[least][:1]),
+        "a thinner wall, or the other side",
+    )
 
 
 def _polygon(points: Array, holes: Iterable[Array] = ()) -> cq.Face:

@@ -4,26 +4,30 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from .drawing import LAYERS, Drawing, Path, draw
+from .drawing import Drawing, Path, draw
+from .presets import DEFAULT, Preset, load_preset
 from .sheets import Sheet
 
 HAIRLINE_MM = 0.1
 _BORDER_MM = 2.0
 
 
-def svg_bytes(sheets: Sequence[Sheet]) -> bytes:
+def svg_bytes(sheets: Sequence[Sheet], preset: Preset | None = None) -> bytes:
     """All sheets as one SVG file.
 
     Parameters
     ----------
     sheets : sequence of Sheet
+    preset : Preset or None
+        Names and colours of layers; None takes the plain ones.
 
     Returns
     -------
     bytes
         Equal for equal sheets.
     """
-    drawing = draw(sheets)
+    preset = preset or load_preset(DEFAULT)
+    drawing = draw(sheets, preset)
     width = drawing.high_mm[0] - drawing.low_mm[0] + 2 * _BORDER_MM
     height = drawing.high_mm[1] - drawing.low_mm[1] + 2 * _BORDER_MM
     lines = [
@@ -33,12 +37,14 @@ def svg_bytes(sheets: Sequence[Sheet]) -> bytes:
         f'width="{_number(width)}mm" height="{_number(height)}mm" '
         f'viewBox="0 0 {_number(width)} {_number(height)}">',
     ]
-    for name, layer in LAYERS.items():
+    for purpose, layer in preset.layers.items():
+        if not layer.shown:
+            continue
         lines.append(
-            f'<g id="{name}" inkscape:groupmode="layer" inkscape:label="{name}" fill="none" '
-            f'stroke="{layer.rgb}" stroke-width="{HAIRLINE_MM}">'
+            f'<g id="{purpose}" inkscape:groupmode="layer" inkscape:label="{layer.name}" '
+            f'fill="none" stroke="{layer.rgb}" stroke-width="{HAIRLINE_MM}">'
         )
-        lines += [_path(path, drawing) for path in drawing.paths if path.layer == name]
+        lines += [_path(path, drawing) for path in drawing.paths if path.purpose == purpose]
         lines.append("</g>")
     return "\n".join([*lines, "</svg>", ""]).encode()
 

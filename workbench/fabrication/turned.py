@@ -83,6 +83,9 @@ def wall_section(id_: str, turned: Turned, settings: ShellSettings) -> shapely.P
     """
     profile = turned.profile_rz_mm
     body = _body(id_, profile)
+    if settings.solid:
+        far = float(np.abs(profile).max()) + 1.0
+        return shapely.Polygon(body.intersection(shapely.box(0.0, -far, far, far)))
     bottom_open, top_open = _open_ends(profile, settings.open_end)
     reach = 4 * settings.wall_mm
     extended = _extended(profile, bottom_open, top_open, reach)
@@ -104,7 +107,7 @@ def wall_section(id_: str, turned: Turned, settings: ShellSettings) -> shapely.P
     emptied = side == "outside" or _offset(body, inner).area > _SNAP_MM
     if len(parts) != 1 or not emptied:
         raise FabricationError(
-            f"no wall of {wall:g} mm can be made of this profile", (id_,), "a thinner wall"
+            f"the wall of {wall:g} mm is too thick for this profile", (id_,), "a thinner wall"
         )
     return shapely.Polygon(parts[0])
 

@@ -16,7 +16,8 @@ if TYPE_CHECKING:
     from ...solver.graph import SketchGraph
     from ...solver.model import Model
     from ...solver.solution import Solution
-    from ..fabrication.plates import Plate
+    from ..fabrication.assembly import Step
+    from ..fabrication.plates import Joined, Plate
     from ..fabrication.settings import PlateSettings, ShellSettings
 
 #: How many results of each kind are remembered: enough for undoing and redoing a while.
@@ -97,11 +98,24 @@ def model_of(sketch_text: str, thickness_mm: float) -> Model:
 
 
 @lru_cache(maxsize=REMEMBERED)
+def joined_of(sketch_text: str, settings: PlateSettings) -> Joined:
+    """The plates of a sketch and their joints; raises SketchError or FabricationError."""
+    from ..fabrication import joined_plates
+
+    return joined_plates(model_of(sketch_text, settings.thickness_mm), settings)
+
+
 def plates_of(sketch_text: str, settings: PlateSettings) -> tuple[Plate, ...]:
     """The plates of a sketch; raises SketchError or FabricationError."""
-    from ..fabrication import make_plates
+    return joined_of(sketch_text, settings).plates
 
-    return make_plates(model_of(sketch_text, settings.thickness_mm), settings)
+
+@lru_cache(maxsize=REMEMBERED)
+def steps_of(joined: Joined) -> tuple[Step, ...]:
+    """The order in which plates go together; raises LockedError where there is none."""
+    from ..fabrication.assembly import assembly_steps
+
+    return assembly_steps(joined.plates)
 
 
 @lru_cache(maxsize=REMEMBERED)

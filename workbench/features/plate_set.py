@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from .. import host
@@ -12,10 +13,13 @@ from .properties import OUTCOME, Editor, Property, fail, set_outcome
 from .proxy import Proxy, is_of_type
 
 if TYPE_CHECKING:
-    from ..fabrication.settings import PlateSettings
+    from ..fabrication.plates import Joined
+    from ..fabrication.settings import PlateSettings, ShopSettings
 
 TYPE = "InContext::PlateSet"
 SIDES = ("inside", "outside", "middle")
+RELIEFS = ("none", "dogbone", "tbone")
+GRAINS = ("free", "x", "y")
 
 
 class PlateSet(Proxy):
@@ -49,13 +53,94 @@ class PlateSet(Proxy):
             0.0,
         ),
         Property(
+            "App::PropertyStringList",
+            "JointChoices",
+            "Joints",
+            "Other joints at some edges, such as e5=butt or f1:f2=finger,finger=8,owner=f1; "
+            "kinds: auto, finger, butt, half_lap, tab_slot, none",
+        ),
+        Property(
             "App::PropertyLength",
             "Kerf",
             "Cutting",
             "Full width that the beam removes; changes the cut paths only, never the plates",
             0.0,
         ),
+        Property(
+            "App::PropertyEnumeration",
+            "CornerRelief",
+            "Cutting",
+            "Room for a round cutter in corners that look inwards; a laser needs none",
+            choices=RELIEFS,
+        ),
+        Property(
+            "App::PropertyLength",
+            "ToolDiameter",
+            "Cutting",
+            "Diameter of the round cutter, for the corner relief",
+            3.0,
+        ),
+        Property(
+            "App::PropertyString",
+            "Preset",
+            "Cutting",
+            "Layers and colours in files: a shop's or program's name, or your own .json file",
+            "plain",
+        ),
+        Property(
+            "App::PropertyLength",
+            "SheetWidth",
+            "Sheets",
+            "Size of the stock; 0 takes the smallest usual sheet that holds every plate",
+        ),
+        Property("App::PropertyLength", "SheetHeight", "Sheets", "Size of the stock"),
+        Property("App::PropertyLength", "Margin", "Sheets", "Free border of a sheet", 5.0),
+        Property("App::PropertyLength", "Spacing", "Sheets", "Between two plates", 3.0),
+        Property(
+            "App::PropertyEnumeration",
+            "Grain",
+            "Sheets",
+            "Where the direction that is up lies on the sheet",
+            choices=GRAINS,
+        ),
+        Property("App::PropertyBool", "WithPdf", "Files", "Export a PDF in true size too"),
+        Property(
+            "App::PropertyString", "PdfPage", "Files", "Tile the PDF on A4, A3 or letter pages"
+        ),
+        Property("App::PropertyBool", "WithPartsList", "Files", "Export the parts list too"),
+        Property(
+            "App::PropertyBool", "WithCoupon", "Files", "Export a fit test with these settings too"
+        ),
+        Property("App::PropertyFloat", "CuttingSpeed", "Files", "For the time, in mm/s", 10.0),
+        Property("App::PropertyFloat", "SheetPrice", "Files", "For the parts list; 0 for unknown"),
+        Property(
+            "App::PropertyBool",
+            "Exploded",
+            "Plates",
+            "Show the plates apart, the way they are put together",
+        ),
         *OUTCOME,
+        Property(
+            "App::PropertyStringList",
+            "Fit",
+            "Result",
+            "What fingers, play and kerf come to, in millimetres",
+            editor=Editor.READ_ONLY,
+        ),
+        Property(
+            "App::PropertyStringList",
+            "Joints",
+            "Result",
+            "How the plates are joined at each edge",
+            editor=Editor.READ_ONLY,
+        ),
+        Property(
+            "App::PropertyStringList",
+            "Assembly",
+            "Result",
+            "In which order the plates go together",
+            editor=Editor.READ_ONLY,
+        ),
         Property(
             "App::PropertyInteger",
             "PlateCount",
@@ -76,20 +161,39 @@ class PlateSet(Proxy):
             set_outcome(obj, "waiting", words)
             return
         try:
-            plates = plates_of(obj)
+            joined = joined_of(obj)
+            fit = effects_of(obj)
         except known_problems() as error:
             fail(obj, "not_made", in_words(error))
             return
-        _show(obj, plates)
+        _set_lines(obj, "Fit", fit)
+        _set_lines(obj, "Joints", tuple(joint.words for joint in joined.joints))
+        _show(obj, joined)
 
 
-def _show(obj: Any, plates: tuple[Any, ...]) -> None:
+def _show(obj: Any, joined: Joined) -> None:
+    from ..fabrication.assembly import LockedError, exploded
     from .shapes import plates_shape
 
+    count = len(joined.plates)
+    words = [host.translate("InContext", "{} plates").format(count), *joined.notes]
+    plates = joined.plates
+    try:
+        steps = tuple(step.words for step in pipeline.steps_of(joined))
+        plates = exploded(plates) if obj.Exploded else plates
+    except LockedError as error:
+        steps = (str(error),)
+        words += steps
+    _set_lines(obj, "Assembly", steps)
     obj.Shape = plates_shape(plates)
-    obj.PlateCount = len(plates)
-    words = host.translate("InContext", "{} plates").format(len(plates))
-    set_outcome(obj, "made", words)
+    obj.PlateCount = count
+    set_outcome(obj, "made", "; ".join(words))
+
+
+def _set_lines(obj: Any, name: str, lines: tuple[str, ...]) -> None:
+    """Write a list only where it is new: an equal value need not be an edit."""
+    if tuple(getattr(obj, name)) != lines:
+        setattr(obj, name, list(lines))
 
 
 def settings_of(obj: Any, *, with_kerf: bool = True) -> PlateSettings:
@@ -101,22 +205,74 @@ def settings_of(obj: Any, *, with_kerf: bool = True) -> PlateSettings:
     with_kerf : bool
         False for the plates themselves, which have their finished sizes whatever the kerf.
     """
+    from ..fabrication.joints import JointChoice
     from ..fabrication.settings import PlateSettings
 
+    width, height = obj.SheetWidth.Value, obj.SheetHeight.Value
     return PlateSettings(
         thickness_mm=obj.Thickness.Value,
         side=str(obj.Side),
         finger_mm=obj.FingerWidth.Value,
         play_mm=obj.Play.Value,
         kerf_mm=obj.Kerf.Value if with_kerf else 0.0,
+        sheet_mm=(width, height) if width or height else None,
+        margin_mm=obj.Margin.Value,
+        spacing_mm=obj.Spacing.Value,
+        relief=str(obj.CornerRelief),
+        tool_mm=obj.ToolDiameter.Value,
+        grain=str(obj.Grain),
+        joints=tuple(JointChoice.parse(line) for line in obj.JointChoices if line.strip()),
+    )
+
+
+def shop_settings_of(obj: Any) -> ShopSettings:
+    """What the object's properties say about files; raises FabricationError."""
+    from ..fabrication.presets import load_preset
+    from ..fabrication.settings import ShopSettings
+
+    load_preset(obj.Preset)
+    return ShopSettings(
+        preset=obj.Preset,
+        page=obj.PdfPage or None,
+        cut_mm_s=obj.CuttingSpeed,
+        sheet_price=obj.SheetPrice or None,
+    )
+
+
+def effects_of(obj: Any) -> tuple[str, ...]:
+    """What the settings come to in millimetres; raises FabricationError."""
+    from ..fabrication.fits import effects
+
+    shop_settings_of(obj)  # a preset that is not there is said at once, not at the export
+    return effects(settings_of(obj))
+
+
+def joined_of(obj: Any) -> Joined:
+    """The plates of a plate set and their joints; raises SketchError or FabricationError."""
+    settings_of(obj)  # a kerf out of range is said here, though no plate depends on it
+    text = driven_text(obj.LiftedModel)
+    return pipeline.joined_of(text, _geometry(settings_of(obj, with_kerf=False)))
+
+
+def _geometry(settings: PlateSettings) -> PlateSettings:
+    """The settings that plates depend on: a change of the sheet makes none again."""
+    from ..fabrication.settings import PlateSettings as Plain
+
+    plain = Plain()
+    return replace(
+        settings,
+        sheet_mm=plain.sheet_mm,
+        margin_mm=plain.margin_mm,
+        spacing_mm=plain.spacing_mm,
+        relief=plain.relief,
+        tool_mm=plain.tool_mm,
+        grain=plain.grain,
     )
 
 
 def plates_of(obj: Any) -> tuple[Any, ...]:
     """The plates of a plate set; raises SketchError or FabricationError."""
-    settings_of(obj)  # a kerf out of range is said here, though no plate depends on it
-    text = driven_text(obj.LiftedModel)
-    return pipeline.plates_of(text, settings_of(obj, with_kerf=False))
+    return joined_of(obj).plates
 
 
 def make_plate_set(document: Any, lifted_model: Any) -> Any:

@@ -15,7 +15,8 @@ if TYPE_CHECKING:
     from ..fabrication.settings import ShellSettings
 
 TYPE = "InContext::ShelledSolid"
-SIDES = ("inside", "outside")
+SIDES = ("inside", "outside", "middle")
+OPEN_ENDS = ("wider", "bottom", "top", "both", "none")
 
 
 class ShelledSolid(Proxy):
@@ -31,6 +32,34 @@ class ShelledSolid(Proxy):
             "Shell",
             "Where the wall lies: inside means that the drawn faces are the outside",
             choices=SIDES,
+        ),
+        Property(
+            "App::PropertyEnumeration",
+            "OpenEnd",
+            "Shell",
+            "Which end of a surface of revolution has no wall",
+            choices=OPEN_ENDS,
+        ),
+        Property("App::PropertyBool", "Solid", "Shell", "No hollow at all"),
+        Property(
+            "App::PropertyLength",
+            "LeastWall",
+            "Printer",
+            "What the printer can print; thinner walls are refused",
+            0.4,
+        ),
+        Property(
+            "App::PropertyLength",
+            "Tolerance",
+            "Printer",
+            "How far the triangles of exported files may leave curved surfaces",
+            0.02,
+        ),
+        Property(
+            "App::PropertyVector",
+            "Bed",
+            "Printer",
+            "What the printer can print at once, in mm; 0 for unknown",
         ),
         *OUTCOME,
     )
@@ -54,18 +83,29 @@ class ShelledSolid(Proxy):
 
 
 def _show(obj: Any, text: str) -> None:
+    from ..fabrication.settings import bed_note
     from .brep_bridge import shape_from_brep
 
     obj.Shape = shape_from_brep(text)
     words = host.translate("InContext", "{:.1f} cm3 of material").format(obj.Shape.Volume / 1e3)
-    set_outcome(obj, "made", words)
+    box = obj.Shape.BoundBox
+    note = bed_note((box.XLength, box.YLength, box.ZLength), settings_of(obj).bed_mm)
+    set_outcome(obj, "made", f"{words}; {note}" if note else words)
 
 
 def settings_of(obj: Any) -> ShellSettings:
     """What the object's properties say; raises FabricationError where that cannot be."""
     from ..fabrication.settings import ShellSettings
 
-    return ShellSettings(wall_mm=obj.Wall.Value, side=str(obj.Side))
+    return ShellSettings(
+        wall_mm=obj.Wall.Value,
+        side=str(obj.Side),
+        open_end=str(obj.OpenEnd),
+        solid=obj.Solid,
+        least_wall_mm=obj.LeastWall.Value,
+        tolerance_mm=obj.Tolerance.Value,
+        bed_mm=(obj.Bed.x, obj.Bed.y, obj.Bed.z) if obj.Bed.Length else None,
+    )
 
 
 def make_shelled_solid(document: Any, lifted_model: Any) -> Any:

@@ -1,0 +1,78 @@
+"""Edge marks: the two sides of a joint get the same number, engraved beside it.
+
+Terms
+-----
+mark
+    The joint's number in single strokes, in the plate's frame, as near to the joint as there is
+    room for it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import shapely
+from shapely.geometry import Polygon, box
+
+from ...solver.values import Array
+from .joints import Joint
+from .plates import Plate
+from .strokes import text_strokes, text_width_mm
+
+HEIGHT_MM = 3.0
+#: How far from its joint a mark may lie, mm, and how far from borders and other marks.
+_REACH_MM, _CLEAR_MM = 40.0, 1.0
+
+
+def edge_marks(plates: Sequence[Plate], joints: Sequence[Joint]) -> dict[str, list[Array]]:
+    """The strokes of all marks.
+
+    Parameters
+    ----------
+    plates : sequence of Plate
+    joints : sequence of Joint
+        Numbered from 1 in this order.
+
+    Returns
+    -------
+    dict of plate id to strokes
+        In the plate's frame. Both plates of a joint have its mark, or none has.
+    """
+    holders = {face: plate for plate in plates for face in plate.face_ids}
+    free = {plate.id: plate.polygon.buffer(-_CLEAR_MM, join_style="mitre") for plate in plates}
+    strokes: dict[str, list[Array]] = {plate.id: [] for plate in plates}
+    for number, joint in enumerate(joints, start=1):
+        ends = (joint.meeting.one[0], joint.meeting.two[0])
+        sides = [holders[face] for face in ends if face in holders]
+        spots = [_spot(plate, free[plate.id], joint, str(number)) for plate in sides]
+        if len(sides) < 2 or any(spot is None for spot in spots):
+            continue
+        for plate, spot in zip(sides, spots, strict=True):
+            assert spot is not None
+            strokes[plate.id] += text_strokes(str(number), spot, HEIGHT_MM)
+            room = _room(spot, str(number)).buffer(_CLEAR_MM, join_style="mitre")
+            free[plate.id] = free[plate.id].difference(room)
+    return strokes
+
+
+def _room(low: tuple[float, float], text: str) -> Polygon:
+    return box(*low, low[0] + text_width_mm(text, HEIGHT_MM), low[1] + HEIGHT_MM)
+
+
+def _spot(plate: Plate, free: Polygon, joint: Joint, text: str) -> tuple[float, float] | None:
+    """The lower left corner of a mark near its joint; None where there is no room."""
+    place = plate.world_from_plate
+    x, y, _ = (place[:3, :3].T @ (np.array(joint.meeting.middle_mm) - place[:3, 3])).tolist()
+    width = text_width_mm(text, HEIGHT_MM)
+    shapely.prepare(free)
+    steps = np.arange(-_REACH_MM, _REACH_MM + 1.0, 2.0)
+    grid = np.array(np.meshgrid(steps, steps)).reshape(2, -1).T
+    grid = grid[np.argsort(np.round(np.linalg.norm(grid, axis=1), 3), kind="stable")]
+    lows = np.add(grid, [x - width / 2, y - HEIGHT_MM / 2])
+    rooms = shapely.box(lows[:, 0], lows[:, 1], lows[:, 0] + width, lows[:, 1] + HEIGHT_MM)
+    fitting = np.flatnonzero(shapely.contains(free, rooms))
+    if not len(fitting):
+        return None
+    low = lows[fitting[0]]
+    return float(low[0]), float(low[1])

@@ -31,6 +31,10 @@ from .values import Array, BoolArray, IntArray
 LOG_FOCAL_RANGE = (float(np.log(0.4)), float(np.log(40.0)))
 #: Where the formula's view fits the lines to this angle (rad, RMS), no further views are tried.
 GOOD_MISFIT = 0.02
+#: From so many lines on it pays to weigh each by how well its ends can be drawn.
+MANY_LINES = 30
+#: Iterations on the lines alone; the full step goes on from there.
+REFINEMENTS = 12
 #: What most cameras have: about 12 to 110 mm equivalent.
 LIKELY_LOG_FOCAL = (float(np.log(0.7)), float(np.log(6.0)))
 #: Log focal lengths to begin with: wide, usual, tele.
@@ -81,7 +85,9 @@ def _starts(problem: Problem) -> list[Start]:
         tilted = tilted_views(problem.circles) if len(problem.circles) else [np.eye(3)]
         focals = FOCAL_GUESSES if fixed is None else (fixed,)
         return [Start(R, f, 0.0) for R in tilted for f in focals]
-    lines, weights, axes = _gathered(*_lines(problem, along), axis[along], fixed)
+    drawn, lengths = _lines(problem, along)
+    ref = USUAL_LOG_FOCAL if fixed is None else fixed
+    lines, weights, axes = _gathered(drawn, lengths, axis[along], ref)
     if fixed is None and len(set(axes.tolist())) < 3:
         # Two directions tell little of the focal length: the full step finds it, from several.
         views = [_views_at(lines, weights, axes, float(f))[:2] for f in FOCAL_GUESSES]
@@ -91,6 +97,11 @@ def _starts(problem: Problem) -> list[Start]:
     total = float(np.sum(weights**2))
     if not found or found[0].misfit > GOOD_MISFIT**2 * total:
         candidates += _grid(lines, weights, axes, fixed)
+        found = _refine_all(lines, weights, axes, candidates, fixed)
+    if len(lengths) > MANY_LINES and found[0].misfit > 1e-12 * total:
+        fair = _fair_weights(problem, along, drawn, found[0])
+        lines, weights, axes = _gathered(drawn, fair, axis[along], found[0].log_focal)
+        candidates = [(start.R, start.log_focal) for start in found]
         found = _refine_all(lines, weights, axes, candidates, fixed)
     if fixed is None and not _likely(found[0].log_focal):
         # Careless lines say "from afar" too easily: begin from usual focal lengths as well.
@@ -141,14 +152,29 @@ def _lines(problem: Problem, chosen: NDArray[np.bool_]) -> tuple[Array, Array]:
     return lines, np.linalg.norm(q - p, axis=1) * problem.weights[ends].min(axis=1)
 
 
+def _fair_weights(problem: Problem, chosen: BoolArray, lines: Array, start: Start) -> Array:
+    """Weights by which the residuals are distances of drawn ends from lines to vanishing points.
+
+    Angles alone favour wide lenses where many short lines are drawn carelessly: the first-order
+    distance does not.
+    """
+    ends = problem.ends[chosen]
+    f = np.exp(start.log_focal)
+    K = np.array([f, f, 1.0])
+    vanishing = (K * start.R[:, problem.structure.edge_axis[chosen]].T)[:, None, :]
+    slope = vanishing[..., :2] - problem.points[ends] * vanishing[..., 2:]
+    per_px = np.sqrt((slope**2).sum(axis=(1, 2)))
+    return np.asarray(np.sqrt(2) * np.linalg.norm(lines * K, axis=1) / np.maximum(per_px, 1e-300))
+
+
 def _gathered(
-    lines: Array, weights: Array, axes: IntArray, fixed: float | None
+    lines: Array, weights: Array, axes: IntArray, log_focal: float
 ) -> tuple[Array, Array, IntArray]:
     """Three lines for all those along one axis, with the same sum of squares for every direction.
 
-    Each line counts by its angle, as a camera of the usual focal length sees it.
+    Each line counts by its angle, as a camera of this focal length sees it.
     """
-    f = np.exp(USUAL_LOG_FOCAL if fixed is None else fixed)
+    f = np.exp(log_focal)
     K = np.array([f, f, 1.0])
     normals = lines * K
     size = np.sqrt(np.einsum("mi,mi->m", normals, normals))
@@ -202,7 +228,7 @@ def _refine(drawn: _Lines, R: Array, log_focals: Array, focal_known: bool) -> li
     """Levenberg-Marquardt on r_e = w_e N_e . D_e for all cameras at once."""
     damping = np.full(len(R), 1e-3)
     cost = (drawn.residuals(R, log_focals) ** 2).sum(axis=1)
-    for iteration in range(25):
+    for iteration in range(REFINEMENTS):
         r, J = drawn.linearised(R, log_focals)
         if focal_known:
             J[..., 3] = 0.0

@@ -44,8 +44,9 @@ SUSPICIOUS = 12.0
 GROSS_RMS = 0.03
 #: Iterations from a shape that is known already.
 NEAR_ITERATIONS = 40
-#: Free coordinates beyond this are a tangle, not a sketch.
-MAX_COORDINATES = 1500
+#: Beyond these it is a tangle, no sketch: free coordinates, and numbers in their conditions' table.
+MAX_COORDINATES = 900
+MAX_NUMBERS = 500_000
 
 Stop = Callable[[], bool]
 

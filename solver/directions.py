@@ -184,11 +184,13 @@ def _close_plane(relations: _Relations, plane: tuple[int, ...]) -> None:
 
 def _close_across(relations: _Relations, classes: list[int]) -> None:
     """In one plane, what is perpendicular to the same class is one class."""
+    inside = set(classes)
     for third in classes:
-        # Merging renames classes: look each up again.
-        across = [c for c in classes if relations.are_perpendicular(third, c)]
+        # Merging renames classes: the smallest name stays.
+        across = sorted(relations.perp[relations.sets.find(third)] & inside)
         for other in across[1:]:
             relations.merge(across[0], other)
+            inside.discard(other)
 
 
 def _close_ground(relations: _Relations, parts: list[tuple[int, ...]]) -> None:

@@ -26,7 +26,7 @@ from .walks import Loop, Walk, walk_round, without_dead_ends
 #: Vertices within this part of the object's size of a plane lie in it.
 PLANE_TOLERANCE = 1e-6
 #: Where more pairs of edges meet than this, the drawing is a tangle and no object.
-MAX_CORNERS = 50_000
+MAX_CORNERS = 200_000
 #: Loops that enclose less than this part of the size squared are lines.
 AREA_TOLERANCE = 1e-12
 #: Planes whose normal and offset agree to this are tried once.

@@ -69,7 +69,8 @@ def an_id(value: Any, place: str) -> str:
         raise SketchFormatError(
             f"{place}: an id has 1 to {MAX_ID_LENGTH} characters", (value[:12],), "a short id"
         )
-    if "@" in value or any(c.isspace() or not c.isprintable() for c in value):
+    # Of all white space only the plain space counts as printable.
+    if "@" in value or " " in value or not value.isprintable():
         raise SketchFormatError(
             f"{place}: an id has no spaces, control characters or '@'", (value,), "letters, digits"
         )
@@ -108,7 +109,9 @@ def check_keys(
     unknown = [key for key in body if key not in known]
     if unknown:
         raise SketchFormatError(
-            f"{place} has an unknown key {unknown[0]!r}", (), f"one of {', '.join(sorted(known))}"
+            f"{place} has an unknown key {unknown[0][:40]!r}",
+            (),
+            f"one of {', '.join(sorted(known))}",
         )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Container, Iterable, Sized
 from dataclasses import fields
 from typing import Any
 
@@ -16,6 +16,15 @@ from .errors import SketchError, SketchFormatError, SketchReferenceError
 from .graph import FORMAT, VERSION, Ellipse, Face, Photo, Revolution, SketchGraph
 
 MAX_EDGES = 20_000
+#: What belongs to a sketch with so many edges.
+MAX_OF = {
+    "vertices": 2 * MAX_EDGES,
+    "edges": MAX_EDGES,
+    "circles": 1_000,
+    "revolutions": 1_000,
+    "faces": MAX_EDGES,
+    "annotations": 5 * MAX_EDGES,
+}
 MAX_PHOTO_PX = 100_000
 
 _KEYS = ("format", "version", "photo", "vertices", "edges")
@@ -33,6 +42,8 @@ def graph_from_json(value: Any) -> SketchGraph:
     body = read.an_object(value, "the sketch")
     read.check_header(body, FORMAT, VERSION)
     read.check_keys(body, "the sketch", _KEYS, _OPTIONAL)
+    for key, most in MAX_OF.items():
+        _check_size(key, body.get(key, ()), most)
     graph = SketchGraph(
         photo=None if body["photo"] is None else _photo(body["photo"]),
         vertices=read.by_id(body["vertices"], "vertices", read.a_point),
@@ -55,8 +66,8 @@ def check_references(graph: SketchGraph) -> None:
     ------
     SketchError
     """
-    if len(graph.edges) > MAX_EDGES:
-        raise SketchError(f"more than {MAX_EDGES} edges", (), "a smaller sketch")
+    for key, most in MAX_OF.items():
+        _check_size(key, getattr(graph, key) or (), most)
     _check_edges(graph)
     _check_circles(graph)
     for id_, face in (graph.faces or {}).items():
@@ -66,11 +77,17 @@ def check_references(graph: SketchGraph) -> None:
     both = sorted(set(graph.edges) & set(graph.circles))
     if both:
         raise SketchError("an edge and a circle share an id", both, "rename one of them")
-    _need(graph.construction, {*graph.edges, *graph.circles}, "edge or circle", "construction")
+    drawn = {*graph.edges, *graph.circles}
+    _need(graph.construction, drawn, "edge or circle", "construction")
 
 
-def camera_from_json(value: Any) -> Camera:
-    """A camera; raises SketchFormatError."""
+def _check_size(key: str, elements: Any, most: int) -> None:
+    if isinstance(elements, Sized) and len(elements) > most:
+        raise SketchError(f"more than {most} {key}", (), "a smaller sketch")
+
+
+def camera_from_json(value: Any, limit: float = read.MAX_NUMBER) -> Camera:
+    """A camera with numbers up to a limit; raises SketchFormatError."""
     body = read.an_object(value, "camera")
     keys = (
         "focal_px",
@@ -79,22 +96,25 @@ def camera_from_json(value: Any) -> Camera:
         "translation_cam_from_world_mm",
     )
     read.check_keys(body, "camera", keys)
-    rows = [_vector(row, f"camera.{keys[2]}") for row in read.a_list(body[keys[2]], keys[2], 3, 3)]
+    rows = [
+        _vector(row, f"camera.{keys[2]}", 2.0) for row in read.a_list(body[keys[2]], keys[2], 3, 3)
+    ]
     rotation = np.array(rows)
     if np.abs(rotation @ rotation.T - np.eye(3)).max() > 1e-6 or np.linalg.det(rotation) < 0:
         raise SketchFormatError(
             f"camera.{keys[2]} is not a rotation", (), "three perpendicular rows of length 1"
         )
     return Camera(
-        read.a_number(body["focal_px"], "camera.focal_px", above=0.0),
+        read.a_number(body["focal_px"], "camera.focal_px", above=0.0, limit=limit),
         np.array(read.a_point(body[keys[1]], f"camera.{keys[1]}")),
         rotation,
-        np.array(_vector(body[keys[3]], f"camera.{keys[3]}")),
+        np.array(_vector(body[keys[3]], f"camera.{keys[3]}", limit)),
     )
 
 
-def _vector(value: Any, place: str) -> list[float]:
-    return [read.a_number(x, place) for x in read.a_list(value, place, 3, 3)]
+def _vector(value: Any, place: str, limit: float) -> list[float]:
+    entries = read.a_list(value, place, 3, 3)
+    return [read.a_number(x, place, limit=limit) for x in entries]
 
 
 def _photo(value: Any) -> Photo:
@@ -102,7 +122,8 @@ def _photo(value: Any) -> Photo:
     read.check_keys(
         body, "photo", ("file", "width_px", "height_px"), ("focal_px", "principal_point_px")
     )
-    if body["file"] is not None and not isinstance(body["file"], str):
+    file = body["file"]
+    if file is not None and not (isinstance(file, str) and file.isprintable()):
         raise SketchFormatError("photo.file is not a name", (), "the photo's file name, or null")
     sizes = []
     for key in ("width_px", "height_px"):
@@ -178,8 +199,7 @@ def _annotation(value: Any, place: str) -> Annotation:
     return cls(**values)
 
 
-def _need(wanted: Iterable[str], there: Iterable[str], target: str, owner: str) -> None:
-    there = set(there)
+def _need(wanted: Iterable[str], there: Container[str], target: str, owner: str) -> None:
     missing = [id_ for id_ in wanted if id_ not in there]
     if missing:
         raise SketchReferenceError(
@@ -214,10 +234,10 @@ def _check_face(graph: SketchGraph, id_: str, face: Face) -> None:
 
 
 def _check_annotation(graph: SketchGraph, id_: str, annotation: Annotation) -> None:
-    there = {
-        "vertex": set(graph.vertices),
-        "edge": set(graph.edges),
-        "circle": set(graph.circles),
+    there: dict[str, Container[str]] = {
+        "vertex": graph.vertices,
+        "edge": graph.edges,
+        "circle": graph.circles,
     }
     for target, named in targets_of(annotation).items():
         if target == "face":

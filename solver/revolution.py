@@ -18,6 +18,7 @@ from dataclasses import replace
 import numpy as np
 
 from .graph import SketchGraph
+from .substitution import Substitution, substituted
 from .values import Array
 
 
@@ -34,24 +35,18 @@ def profile_vertices(graph: SketchGraph) -> tuple[str, ...]:
 
 
 def without_profiles(graph: SketchGraph) -> SketchGraph:
-    """The graph that is solved first: profiles follow from the circles afterwards."""
+    """The graph that is solved first: profiles follow from the circles afterwards.
+
+    What annotations and faces say of the profiles' own vertices and edges is left out with them.
+    """
     if not graph.revolutions:
         return graph
-    profile = set(profile_vertices(graph))
+    profile = profile_vertices(graph)
     if not profile:
         return graph
-    edges = {e: ends for e, ends in graph.edges.items() if not profile & set(ends)}
-    return replace(
-        graph,
-        vertices={v: p for v, p in graph.vertices.items() if v not in profile},
-        edges=edges,
-        annotations={
-            id_: a
-            for id_, a in graph.annotations.items()
-            if getattr(a, "edge", None) not in graph.edges or getattr(a, "edge", None) in edges
-        },
-        construction=tuple(c for c in graph.construction if c in edges or c in graph.circles),
-    )
+    straight = replace(graph, revolutions={})
+    core = substituted(straight, Substitution(vertices=dict.fromkeys(profile)))
+    return replace(core, revolutions=graph.revolutions)
 
 
 def in_side_plane(rays: Array, axis_point: Array, up: Array) -> Array:

@@ -7,6 +7,7 @@ so that nothing a newer program wrote is silently lost.
 from __future__ import annotations
 
 import json
+from collections import Counter
 from pathlib import Path
 from typing import Any
 
@@ -122,9 +123,8 @@ def _parse(text: str) -> Any:
 def _no_twins(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     body = dict(pairs)
     if len(body) != len(pairs):
-        keys = [key for key, _ in pairs]
-        twins = sorted({key for key in keys if keys.count(key) > 1})
-        raise SketchFormatError("a key stands twice in one object", twins, "keep one of them")
+        twins = sorted(key for key, n in Counter(key for key, _ in pairs).items() if n > 1)
+        raise SketchFormatError("a key stands twice in one object", twins[:5], "keep one of them")
     return body
 
 

@@ -15,6 +15,8 @@ from .values import Array, frozen_array, frozen_mapping, frozen_rows
 
 FORMAT = "incontext/solution"
 VERSION = 1
+#: A solution has no numbers beyond this: a thousand kilometres.
+MAX_MM = 1e9
 
 
 class Status(StrEnum):
@@ -144,6 +146,19 @@ class Solution:
         object.__setattr__(self, "vertices_mm", frozen_rows(self.vertices_mm))
         for name in ("edges", "faces", "circles"):
             object.__setattr__(self, name, frozen_mapping(getattr(self, name)))
+
+    @property
+    def is_bounded(self) -> bool:
+        """Whether all numbers are finite, and positions such that a program can work with them."""
+        positions = [*self.vertices_mm.values(), *(c.center_mm for c in self.circles.values())]
+        numbers = [*(c.radius_mm for c in self.circles.values())]
+        if self.camera is not None:
+            positions += [self.camera.translation_cam_from_world_mm]
+            numbers += [self.camera.focal_px, *self.camera.principal_point_px.tolist()]
+        # Not so for NaN either.
+        bounded = bool((np.abs(np.array(positions, dtype=float)) <= MAX_MM).all())
+        bounded = bounded and all(abs(x) <= MAX_MM for x in numbers)
+        return bounded and bool(np.isfinite([*self.report.reprojection_px.values()]).all())
 
     def to_json(self) -> dict[str, Any]:
         """The solution as it stands in the file."""

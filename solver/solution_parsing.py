@@ -10,7 +10,7 @@ from . import json_reading as read
 from .errors import SketchFormatError
 from .graph import Face
 from .parsing import camera_from_json
-from .solution import FORMAT, VERSION, Report, Residual, Solution, SolvedCircle, Status
+from .solution import FORMAT, MAX_MM, VERSION, Report, Residual, Solution, SolvedCircle, Status
 
 _KEYS = (
     "format", "version", "sketch_digest", "status", "message", "vertices", "edges", "faces",
@@ -40,7 +40,7 @@ def solution_from_json(value: Any) -> Solution:
         edges=_items(body["edges"], "edges", _ends),
         faces=_items(body["faces"], "faces", _face),
         circles=_items(body["circles"], "circles", _circle),
-        camera=None if body["camera"] is None else camera_from_json(body["camera"]),
+        camera=None if body["camera"] is None else camera_from_json(body["camera"], MAX_MM),
         scale_assumed=read.a_bool(body["scale_assumed"], "scale_assumed"),
         report=_report(body["report"]),
     )
@@ -49,13 +49,14 @@ def solution_from_json(value: Any) -> Solution:
 def _items(value: Any, place: str, item: Any) -> dict[str, Any]:
     # Ids of mirrored copies hold an '@', which drawn ids must not.
     return {
-        key: item(entry, f"{place}.{key}") for key, entry in read.an_object(value, place).items()
+        key: item(entry, f"{place}.{key[:40]}")
+        for key, entry in read.an_object(value, place).items()
     }
 
 
 def _position(value: Any, place: str) -> Any:
     entries = read.a_list(value, place, 3, 3)
-    return np.array([read.a_number(x, place, limit=1e12) for x in entries])
+    return np.array([read.a_number(x, place, limit=MAX_MM) for x in entries])
 
 
 def _names(value: Any, place: str) -> tuple[str, ...]:
@@ -86,7 +87,7 @@ def _circle(value: Any, place: str) -> SolvedCircle:
     body = read.an_object(value, place)
     read.check_keys(body, place, ("center", "radius_mm"))
     return SolvedCircle(
-        _position(body["center"], place), read.a_number(body["radius_mm"], place, limit=1e12)
+        _position(body["center"], place), read.a_number(body["radius_mm"], place, limit=MAX_MM)
     )
 
 
@@ -109,5 +110,5 @@ def _report(value: Any) -> Report:
         ),
         conflicts=_names(body["conflicts"], "conflicts"),
         iterations=int(read.a_number(body["iterations"], "iterations")),
-        solve_ms=read.a_number(body["solve_ms"], "solve_ms", limit=1e12),
+        solve_ms=read.a_number(body["solve_ms"], "solve_ms", limit=MAX_MM),
     )

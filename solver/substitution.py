@@ -131,9 +131,15 @@ def _annotations(
     graph: SketchGraph, smaller: SketchGraph, changes: Substitution
 ) -> dict[str, Annotation]:
     kept: dict[str, Annotation] = {}
+    said: set[Annotation | str] = set()
     for id_, annotation in graph.annotations.items():
         after = None if id_ in changes.annotations else _annotation(annotation, changes)
-        if after is not None and _makes_sense(smaller, after) and not _is_said(kept, after):
+        if after is None or not _makes_sense(smaller, after):
+            continue
+        # An edge has one length, whatever it is.
+        key = after.edge if isinstance(after, Length) else after
+        if key not in said:
+            said.add(key)
             kept[id_] = after
     return kept
 
@@ -162,10 +168,3 @@ def _makes_sense(graph: SketchGraph, annotation: Annotation) -> bool:
     if not isinstance(annotation, RightAngle):
         return True
     return all(annotation.at in graph.edges[edge] for edge in annotation.between)
-
-
-def _is_said(kept: Mapping[str, Annotation], annotation: Annotation) -> bool:
-    """Whether the same is said already, or another length of the same edge."""
-    if isinstance(annotation, Length):
-        return any(isinstance(a, Length) and a.edge == annotation.edge for a in kept.values())
-    return annotation in kept.values()

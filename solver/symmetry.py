@@ -16,9 +16,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 from .annotations import SymmetryPlane
 from .graph import Face, SketchGraph
+from .parsing import MAX_EDGES
 from .topology import topology_of
 from .values import Array
 
@@ -35,7 +37,7 @@ class Geometry:
     faces: Mapping[str, Face]
 
 
-def mirrored(graph: SketchGraph, drawn: Geometry) -> Geometry:
+def mirrored(graph: SketchGraph, drawn: Geometry) -> tuple[Geometry, tuple[str, ...]]:
     """Add the copies of every symmetry plane, one plane after the other.
 
     Parameters
@@ -44,11 +46,20 @@ def mirrored(graph: SketchGraph, drawn: Geometry) -> Geometry:
         Its symmetry planes are used.
     drawn : Geometry
         The solved geometry.
+
+    Returns
+    -------
+    Geometry, tuple of annotation ids
+        The planes that were left out: each may double what there is, so that thirty would make
+        millions of copies.
     """
     geometry = drawn
-    for id_, annotation in topology_of(graph).by_kind["symmetry_plane"]:
+    planes = topology_of(graph).by_kind["symmetry_plane"]
+    for k, (id_, annotation) in enumerate(planes):
+        if max(len(geometry.vertices), len(geometry.edges)) > MAX_EDGES:
+            return geometry, tuple(id_ for id_, _ in planes[k:])
         geometry = _mirror(geometry, id_, *_plane(annotation, graph, drawn.vertices))
-    return geometry
+    return geometry, ()
 
 
 def _plane(
@@ -66,13 +77,17 @@ def _mirror(geometry: Geometry, plane: str, point: Array, normal: Array) -> Geom
     edges = dict(geometry.edges)
     joined = {frozenset(ends) for ends in edges.values()}
     for id_, (a, b) in geometry.edges.items():
-        if frozenset((partner[a], partner[b])) not in joined:
+        image_ends = frozenset((partner[a], partner[b]))
+        if len(image_ends) == 2 and image_ends not in joined:
+            joined.add(image_ends)
             edges[f"{id_}@{plane}"] = (partner[a], partner[b])
     faces = dict(geometry.faces)
     known = {frozenset(face.loop) for face in faces.values()}
     for id_, face in geometry.faces.items():
         image = _mirror_face(face, partner)
-        if frozenset(image.loop) not in known:
+        corners = frozenset(image.loop)
+        if len(corners) == len(image.loop) and corners not in known:
+            known.add(corners)
             faces[f"{id_}@{plane}"] = image
     return Geometry({**geometry.vertices, **copies}, edges, faces)
 
@@ -84,16 +99,15 @@ def _partners(
     X = np.array([vertices[v] for v in names])
     images = X - 2 * ((X - point) @ normal)[:, None] * normal
     reach = PARTNER_TOLERANCE * float(np.linalg.norm(np.ptp(X, axis=0)))
+    distances, nearest = cKDTree(X).query(images)
     partner: dict[str, str] = {}
     copies: dict[str, Array] = {}
-    for name, image in zip(names, images, strict=True):
-        distances = np.linalg.norm(X - image, axis=1)
-        nearest = int(np.argmin(distances))
-        if distances[nearest] <= reach:
-            partner[name] = names[nearest]
+    for k, name in enumerate(names):
+        if distances[k] <= reach:
+            partner[name] = names[nearest[k]]
         else:
             partner[name] = f"{name}@{plane}"
-            copies[partner[name]] = image
+            copies[partner[name]] = images[k]
     return partner, copies
 
 

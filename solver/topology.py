@@ -155,9 +155,11 @@ def _two_paths(source: IntArray, target: IntArray, edge: IntArray) -> IntArray:
     vertex, first, degree = np.unique(source, return_index=True, return_counts=True)
     room = MAX_TWO_PATHS
     for d in np.unique(degree).tolist():
+        pairs = d * (d - 1) // 2
+        at = np.flatnonzero(degree == d)[: room // max(1, pairs)]
+        if not len(at):
+            continue
         p, q = np.triu_indices(d, 1)
-        at = np.flatnonzero(degree == d)
-        at = at[: room // max(1, len(p))]
         room -= len(at) * len(p)
         i, j = first[at, None] + p, first[at, None] + q
         middle = np.broadcast_to(vertex[at, None], i.shape)
@@ -193,9 +195,10 @@ def _quadrilaterals(paths: IntArray) -> IntArray:
     _, first, count = np.unique(code, return_index=True, return_counts=True)
     room = MAX_QUADRILATERALS
     for k in np.unique(count[count > 1]).tolist():
+        at = first[count == k][: room // (k * (k - 1) // 2)]
+        if not len(at):
+            continue
         p, q = np.triu_indices(k, 1)
-        at = first[count == k]
-        at = at[: room // len(p)]
         room -= len(at) * len(p)
         b, d = paths[(at[:, None] + p).reshape(-1)], paths[(at[:, None] + q).reshape(-1)]
         # Each chain is met from both of its diagonals: the one with its first vertex counts.

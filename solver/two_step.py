@@ -17,6 +17,7 @@ import numpy as np
 
 from .blaming import (
     MAX_COORDINATES,
+    MAX_NUMBERS,
     Blame,
     Stop,
     blame_for_clash,
@@ -78,7 +79,7 @@ USUAL_FOCAL_SIGMA = 0.3
 #: Readings whose misfits differ by less than this factor fit about equally well.
 CLOSE_CALL = 1.5
 #: A solve ends after so many seconds.
-MAX_SOLVE_S = 4.0
+MAX_SOLVE_S = 3.0
 #: A drawing further than this from every shape (image units, RMS) was not understood.
 LOST_MISFIT = 0.25
 
@@ -110,7 +111,13 @@ def solve(graph: SketchGraph, *, stop: Stop | None = None) -> Solution:
         Always; how it went is told by its status and message.
     """
     began = time.perf_counter()
-    solution = _solve(graph, stop)
+    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+        try:
+            solution = _solve(graph, stop)
+        except np.linalg.LinAlgError:
+            solution = _lost(graph)
+    if not solution.is_bounded:
+        solution = _lost(graph)
     elapsed = (time.perf_counter() - began) * 1e3
     return replace(solution, report=replace(solution.report, solve_ms=elapsed))
 
@@ -125,20 +132,29 @@ def _solve(graph: SketchGraph, stop: Stop | None) -> Solution:
     if structure.contradiction:
         return _without_culprit(graph, core, stop)
     if structure.n_coordinates > MAX_COORDINATES:
-        return Solution(
-            graph.digest,
-            Status.UNDERDETERMINED,
-            f"{structure.n_coordinates} coordinates are free, too many to solve for: mark right "
-            "angles and parallels.",
-        )
+        return _too_free(graph, f"{structure.n_coordinates} coordinates are free")
+    conditions = sum(len(block.items) for block in build_problem(core, structure).blocks)
+    if conditions * structure.n_coordinates > MAX_NUMBERS:
+        n = structure.n_coordinates
+        return _too_free(graph, f"{conditions} conditions on {n} coordinates are left")
     lifted, blamed = _lift_or_blame(core, structure, stop)
     if lifted is None:
-        return Solution(
-            graph.digest,
-            Status.NOT_CONVERGED,
-            "No 3D shape fits this drawing; check the annotations against it.",
-        )
+        return _lost(graph)
     return _describe(graph, core, lifted, blamed)
+
+
+def _too_free(graph: SketchGraph, what: str) -> Solution:
+    message = f"{what}, too many to solve for: mark right angles and parallels."
+    return Solution(graph.digest, Status.UNDERDETERMINED, message)
+
+
+def _lost(graph: SketchGraph) -> Solution:
+    """Wild drawings end without a shape, or with one whose numbers overflow."""
+    return Solution(
+        graph.digest,
+        Status.NOT_CONVERGED,
+        "No 3D shape fits this drawing; check the annotations against it.",
+    )
 
 
 def _with_deadline(stop: Stop | None) -> Stop:
@@ -395,11 +411,16 @@ def _describe(
 
 def _with_copies(graph: SketchGraph, vertices: Mapping[str, Array]) -> tuple[Geometry, str]:
     """The geometry with its mirrored copies and its faces, and what to say of them."""
-    whole = mirrored(graph, Geometry(vertices, graph.edges, graph.faces or {}))
+    whole, left_out = mirrored(graph, Geometry(vertices, graph.edges, graph.faces or {}))
+    if left_out:
+        some = ", ".join(left_out[:4])
+        return whole, f" Too many copies ({some} and so on): take some symmetry planes away."
     if graph.faces is not None:
         return whole, ""
     traced = set(graph.construction)
-    drawn = {e: ends for e, ends in whole.edges.items() if e.split("@")[0] not in traced}
+    drawn = whole.edges
+    if traced:
+        drawn = {e: ends for e, ends in drawn.items() if e.split("@")[0] not in traced}
     try:
         return replace(whole, faces=find_faces(whole.vertices, drawn)), ""
     except SketchError as error:

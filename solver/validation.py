@@ -93,7 +93,8 @@ def _circles(graph: SketchGraph) -> Iterator[Finding]:
 def _clashes(graph: SketchGraph) -> Iterator[Finding]:
     if graph.edges and build_structure(graph).contradiction:
         ids = clashing_annotations(graph)
-        yield _error(f"cannot all hold ({', '.join(ids)}); try: take one of them away", *ids)
+        some = ", ".join(ids if len(ids) < 8 else (*ids[:4], f"{len(ids) - 4} more"))
+        yield _error(f"cannot all hold ({some}); try: take one of them away", *ids)
 
 
 def _unused_vertices(graph: SketchGraph) -> Iterator[Finding]:

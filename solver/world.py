@@ -71,6 +71,8 @@ def up_direction(graph: SketchGraph, problem: Problem, pose: Pose) -> Array:
     if vertical is None and len(ground) < 3:
         return _most_upright(problem, pose)
     if vertical is not None and not ground:
+        return np.asarray(np.eye(3)[vertical] * (-1.0 if pose.R[1, vertical] > 0 else 1.0))
+    if vertical is not None and not ground:
         return np.asarray(np.eye(3)[vertical] * -np.copysign(1.0, pose.R[1, vertical]))
     if vertical is not None:
         normal = np.eye(3)[vertical]

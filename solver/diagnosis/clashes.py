@@ -11,6 +11,7 @@ culprit
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
@@ -23,6 +24,8 @@ MAX_QUESTIONS = 60
 #: How often after that, to find what they clash with; fewer times among many annotations, where
 #: each answer takes longer. A clash that is not complete by then is told as far as it was found.
 MORE_QUESTIONS, MORE_AMONG_FEW = 24, 3000
+#: Nor is it asked any longer than this, s.
+MAX_SEARCH_S = 1.0
 #: How many parts are left out in turn, to see which holds the culprit.
 PARTS = 6
 
@@ -70,6 +73,7 @@ class _Search:
         self.said = list(graph.annotations)
         self.asked: dict[frozenset[str], bool] = {}
         self.limit = MAX_QUESTIONS
+        self.deadline = time.perf_counter() + MAX_SEARCH_S
 
     def agree(self, ids: Iterable[str]) -> bool:
         """Whether no contradiction follows from these; not known, and False, after too many."""
@@ -84,7 +88,7 @@ class _Search:
     @property
     def tired(self) -> bool:
         """Whether enough was asked."""
-        return len(self.asked) >= self.limit
+        return len(self.asked) >= self.limit or time.perf_counter() > self.deadline
 
     def culprits(self) -> list[str]:
         """All annotations without any one of which the others agree.
@@ -136,10 +140,10 @@ class _Search:
             joined[v].add(w)
             joined[w].add(v)
         distance = dict.fromkeys(self._vertices(member), 0)
-        rim = list(distance)
+        rim, step = list(distance), 0
         while rim:
-            rim = [w for v in rim for w in joined[v] if w not in distance]
-            step = max(distance.values()) + 1
+            rim = list(dict.fromkeys(w for v in rim for w in joined[v] if w not in distance))
+            step += 1
             distance.update(dict.fromkeys(rim, step))
 
         def far(id_: str) -> float:

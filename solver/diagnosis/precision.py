@@ -33,6 +33,9 @@ def tangent(H: Array) -> Array:
     """Orthonormal columns that span the null space of H."""
     if not len(H):
         return np.eye(H.shape[1])
+    if len(H) > H.shape[1]:
+        # The triangular factor has the same null space, and no long columns of U.
+        H = np.asarray(np.linalg.qr(H, mode="r"))
     _, s, Vt = np.linalg.svd(H)
     rank = int(np.count_nonzero(s > NULL_TOLERANCE * max(float(s[0]), 1e-300)))
     return np.asarray(Vt[rank:].T)

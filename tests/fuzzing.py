@@ -1,0 +1,473 @@
+"""Random and mutated sketch files, put through load, check, solve and save.
+
+    python tests/fuzzing.py --count 100000
+
+runs the cases 0 ... count - 1 in two processes of limited memory and tells each that ended in
+anything but a SketchError or a finite solution, or took too long; `--first N --count 1` runs one.
+"""
+
+from __future__ import annotations
+
+import argparse
+import itertools
+import json
+import math
+import os
+import random
+import resource
+import signal
+import sys
+import time
+import warnings
+from collections import Counter
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from multiprocessing import get_context
+from pathlib import Path
+
+# Two threads that wait for each other on a busy machine take a hundred times as long.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+import numpy as np
+
+from incontext.solver import SketchError, findings, solve
+from incontext.solver.serialise import (
+    sketch_from_text,
+    sketch_to_text,
+    solution_from_text,
+    solution_to_text,
+)
+from incontext.solver.synthetic import LID, SHAPES, photograph, photograph_turned
+
+MAX_SECONDS = 5.0
+MAX_MEMORY_BYTES = 1_000_000_000
+#: Cases that one process takes at once.
+BATCH = 200
+EXAMPLES = sorted(Path(__file__).parent.parent.glob("resources/examples/*/*.sketch.json"))
+IDS = ("v", "ä", "点", "е\u0301", "🙂", "-", '"', "\\", "'", "0")
+EXTREMES = [
+    0, -1, 1, 0.5, 1e-9, 1e-300, 5e-324, 1e6, -1e6, 1.0000001e6, 1e300, -1e300, 2**70, None, "",
+    "v1", "e1", "f1", "c1", "a1", "ground", True, False, [], {}, [[]], "v0", 800, 600.5, "\ud800",
+    "\u0000", "v" * 41, float("nan"), float("inf"), -0.0, [1, 2], ["v1", "v2"], {"kind": "glue"},
+]  # fmt: skip
+#: A longer line is no line that anybody reads.
+MAX_LINE = 1000
+
+
+# Graphs that are valid by their form, however wild by what they say.
+
+
+def wild_sketch(rng: random.Random) -> str:
+    """A sketch of random elements of all kinds that refer to each other properly."""
+    prefix = rng.choice(IDS) if rng.random() < 0.1 else "v"
+    vertices = wild_vertices(rng, prefix)
+    names = list(vertices)
+    pairs = [(v, w) for i, v in enumerate(names) for w in names[:i]]
+    rng.shuffle(pairs)
+    edges = {f"e{k}": list(p) for k, p in enumerate(pairs[: rng.randint(0, 2 * len(names))])}
+    circles = {f"c{k}": wild_circle(rng) for k in range(rng.choice([0, 0, 0, 1, 2, 3]))}
+    body = {
+        "format": "incontext/sketch",
+        "version": 1,
+        "photo": wild_photo(rng),
+        "vertices": vertices,
+        "edges": edges,
+        "circles": circles,
+        "revolutions": wild_revolutions(rng, names, edges, list(circles)),
+        "construction": rng.sample(sorted([*edges, *circles]), rng.randint(0, len(edges)))
+        if rng.random() < 0.3
+        else [],
+        "camera": wild_camera(rng) if rng.random() < 0.15 else None,
+    }
+    if rng.random() < 0.5 and len(names) >= 3:
+        body["faces"] = wild_faces(rng, names)
+    body["annotations"] = wild_annotations(rng, body)
+    return json.dumps(body)
+
+
+def wild_vertices(rng: random.Random, prefix: str) -> dict[str, list[float]]:
+    """Positions on coarse grids (many coincide or lie on lines), or anywhere, or far away."""
+    n = rng.choice([1, 2, 3, 4, 5, 6, 8, 8, 10, 12])
+    kind = rng.choice(["point", "grid", "grid", "photo", "photo", "line", "far", "tiny"])
+    draw = {
+        "point": lambda: [5.0, 5.0],
+        "grid": lambda: [rng.randint(0, 4) * 100.0, rng.randint(0, 4) * 100.0],
+        "photo": lambda: [rng.uniform(0, 1600), rng.uniform(0, 1200)],
+        "line": lambda: [float(k := rng.randint(0, 1000)), 3.0 * k],
+        "far": lambda: [rng.choice([-1e6, 0.0, 1e6]), rng.uniform(-1e6, 1e6)],
+        "tiny": lambda: [800 + rng.uniform(0, 1e-9), 600 + rng.uniform(0, 1e-9)],
+    }[kind]
+    return {f"{prefix}{i}": draw() for i in range(n)}
+
+
+def wild_circle(rng: random.Random) -> dict:
+    x, y = rng.uniform(0, 1600), rng.uniform(0, 1200)
+    a, b = rng.choice([0.0, 1e-9, 20, 200, 5000]), rng.choice([0.0, 1e-6, 10, 100, 300])
+    turn = rng.choice([0.0, 0.0, 0.5, 2.0])
+    c, s = math.cos(turn), math.sin(turn)
+    if rng.random() < 0.1:
+        c, s = 0.0, 0.0
+    return {
+        "a": [[x - a * c, y - a * s], [x + a * c, y + a * s]],
+        "b": [[x + b * s, y - b * c], [x - b * s, y + b * c]],
+    }
+
+
+def wild_photo(rng: random.Random) -> dict | None:
+    photo: dict = {"file": rng.choice([None, "desk.jpg"]), "width_px": 1600, "height_px": 1200}
+    if rng.random() < 0.2:
+        photo |= {"width_px": rng.choice([1, 100_000]), "height_px": rng.choice([1, 1200])}
+    if rng.random() < 0.3:
+        photo["focal_px"] = rng.choice([1e-6, 1.0, 900.0, 1500.0, 1e6])
+    if rng.random() < 0.2:
+        photo["principal_point_px"] = [rng.choice([0.0, 800.0, -1e6]), rng.choice([600.0, 1e6])]
+    return rng.choice([None, photo, photo])
+
+
+def wild_camera(rng: random.Random) -> dict:
+    turn = np.linalg.qr(np.random.default_rng(rng.randrange(99)).normal(size=(3, 3)))[0]
+    turn *= np.sign(np.linalg.det(turn))
+    return {
+        "focal_px": rng.choice([1e-3, 900.0, 1500.0, 1e6]),
+        "principal_point_px": [800, 600],
+        "rotation_cam_from_world": turn.tolist(),
+        "translation_cam_from_world_mm": [rng.uniform(-500, 500) for _ in range(3)],
+    }
+
+
+def wild_revolutions(rng: random.Random, vertices: list, edges: dict, circles: list) -> dict:
+    found = {}
+    for k in range(rng.choice([0, 1, 1, 2]) if circles else 0):
+        profile = rng.sample(vertices, min(len(vertices), rng.randint(2, 5)))
+        if len(profile) < 2:
+            continue
+        for v, w in itertools.pairwise(profile):
+            if rng.random() < 0.7 and not any({v, w} == set(p) for p in edges.values()):
+                edges[f"p{len(edges)}"] = [v, w]
+        ground, bottom, top = (rng.choice(circles) for _ in range(3))
+        found[f"r{k}"] = {"ground": ground, "bottom": bottom, "top": top, "profile": profile}
+    return found
+
+
+def wild_faces(rng: random.Random, vertices: list) -> dict:
+    found = {}
+    for k in range(rng.randint(0, 3)):
+        face: dict = {"loop": rng.sample(vertices, rng.randint(3, min(6, len(vertices))))}
+        if rng.random() < 0.2:
+            face["holes"] = [rng.sample(vertices, 3)]
+        if rng.random() < 0.3:
+            face |= {"included": rng.random() < 0.5, "thickness_mm": rng.choice([1e-9, 3, 1e6])}
+        found[f"f{k + 1}"] = face
+    return found
+
+
+def wild_annotations(rng: random.Random, body: dict) -> dict:
+    """Annotations of all kinds, at random: most of them contradict each other."""
+    found = {}
+    for k in range(rng.choice([0, 1, 3, 6, 12, 30])):
+        annotation = wild_annotation(rng, body)
+        if annotation is not None:
+            found[f"a{k}"] = annotation
+    return found
+
+
+def wild_annotation(rng: random.Random, body: dict) -> dict | None:
+    vertices, edges, circles = (sorted(body[key]) for key in ("vertices", "edges", "circles"))
+    kind = rng.choice(
+        ["right_angle", "right_angle", "right_angle", "parallel", "equal_length", "ground",
+         "length", "symmetry_plane", "diameter", "on_face"]
+    )  # fmt: skip
+    size = rng.choice([1e-6, 1e-3, 5, 100, 250.5, 1e6])
+    if kind == "right_angle":
+        at = rng.choice(vertices)
+        there = [e for e in edges if at in body["edges"][e]]
+        if len(there) >= 2:
+            return {"kind": kind, "at": at, "between": rng.sample(there, 2)}
+    elif kind == "ground":
+        return {"kind": kind, "vertices": rng.sample(vertices, rng.randint(1, len(vertices)))}
+    elif kind == "length" and edges:
+        return {"kind": kind, "edge": rng.choice(edges), "length_mm": size}
+    elif kind == "diameter" and circles:
+        return {"kind": kind, "circle": rng.choice(circles), "diameter_mm": size}
+    elif kind == "on_face":
+        faces = body.get("faces", {"f1": None, "f2": None, "f99": None})
+        if faces:
+            return {"kind": kind, "vertex": rng.choice(vertices), "face": rng.choice(list(faces))}
+    elif kind == "symmetry_plane" and edges:
+        return {"kind": kind, "midpoints_of": rng.sample(edges, rng.randint(1, len(edges)))}
+    elif kind in ("parallel", "equal_length") and len(edges) >= 2:
+        return {"kind": kind, "edges": rng.sample(edges, rng.randint(2, len(edges)))}
+    return None
+
+
+# Sketches as people draw them, and what is done to them.
+
+
+def good_sketch(rng: random.Random) -> str:
+    """A sketch of a known shape, exact or drawn by hand, or one of the examples."""
+    kind = rng.random()
+    numbers = np.random.default_rng(rng.randrange(10_000))
+    if kind < 0.15 and EXAMPLES:
+        return rng.choice(EXAMPLES).read_text(encoding="utf-8")
+    if kind < 0.3:
+        return sketch_to_text(photograph_turned(LID, numbers)[0])
+    shape = rng.choice(SHAPES[:9] if rng.random() < 0.9 else SHAPES)()
+    noise = rng.choice([0.0, 0.005, 0.02, 0.3])
+    return sketch_to_text(photograph(shape, numbers, noise=noise).graph)
+
+
+def bent_sketch(rng: random.Random) -> str:
+    """A good sketch, still valid by its form, with elements moved, added, taken away or mixed."""
+    body = json.loads(good_sketch(rng))
+    for _ in range(rng.randint(1, 4)):
+        rng.choice(BENDS)(rng, body)
+    return json.dumps(body)
+
+
+def _collapse(rng: random.Random, body: dict) -> None:
+    """Several vertices in one place."""
+    names = sorted(body["vertices"])
+    some = rng.sample(names, rng.randint(0, len(names)))
+    for v in some:
+        body["vertices"][v] = list(body["vertices"][some[0]])
+
+
+def _flatten(rng: random.Random, body: dict) -> None:
+    """Several vertices on one line, level or upright."""
+    k = rng.randrange(2)
+    for v in rng.sample(sorted(body["vertices"]), rng.randint(0, len(body["vertices"]))):
+        body["vertices"][v][k] = 600.0
+
+
+def _throw(rng: random.Random, body: dict) -> None:
+    """Several vertices somewhere."""
+    for v in rng.sample(sorted(body["vertices"]), min(3, len(body["vertices"]))):
+        body["vertices"][v] = [rng.uniform(-1e3, 3e3), rng.choice([0.0, 600.0, 1e6])]
+
+
+def _say_more(rng: random.Random, body: dict) -> None:
+    body.setdefault("circles", {})
+    for k in range(rng.randint(1, 8)):
+        more = wild_annotation(rng, body) if body["vertices"] else None
+        if more is not None:
+            body["annotations"][f"more{k}"] = more
+
+
+def _say_less(rng: random.Random, body: dict) -> None:
+    said = sorted(body["annotations"])
+    for id_ in rng.sample(said, rng.randint(0, len(said))):
+        del body["annotations"][id_]
+
+
+def _say_one_kind(rng: random.Random, body: dict) -> None:
+    kind = rng.choice(["right_angle", "ground", "parallel", "length", "on_face", "diameter"])
+    body["annotations"] = {k: a for k, a in body["annotations"].items() if a["kind"] == kind}
+
+
+def _trace(rng: random.Random, body: dict) -> None:
+    edges = sorted(body["edges"])
+    body["construction"] = rng.sample(edges, rng.randint(0, len(edges)))
+
+
+def _know_camera(rng: random.Random, body: dict) -> None:
+    body["camera"] = wild_camera(rng)
+
+
+def _add_circle(rng: random.Random, body: dict) -> None:
+    body.setdefault("circles", {})["more"] = wild_circle(rng)
+
+
+def _find_faces(_rng: random.Random, body: dict) -> None:
+    body.pop("faces", None)
+
+
+BENDS = (
+    _collapse, _flatten, _throw, _say_more, _say_more, _say_less, _say_one_kind, _trace,
+    _know_camera, _add_circle, _find_faces,
+)  # fmt: skip
+
+
+def broken_sketch(rng: random.Random) -> str:
+    """A good or wild file with values replaced, keys dropped or doubled, or bytes flipped."""
+    text = rng.choice([good_sketch, wild_sketch])(rng)
+    kind = rng.random()
+    if kind < 0.2:
+        return _flipped(rng, text)
+    if kind < 0.25:
+        key = rng.choice(['"vertices"', '"edges"', '"kind"', '"version"', '"v1"', '"e1"'])
+        return text.replace(key, f"{key}: 1, {key}", 1)
+    if kind < 0.28:
+        deep = rng.choice([50, 900, 5000, 100_000])
+        left, right = rng.choice([("[", "]"), ('{"a":', "}")])
+        return text.replace("1600", left * deep + "1" + right * deep, 1)
+    body = json.loads(text)
+    for _ in range(rng.randint(1, 4)):
+        _replace_somewhere(rng, body)
+    return json.dumps(body)
+
+
+def _flipped(rng: random.Random, text: str) -> str:
+    data = bytearray(text.encode())
+    for _ in range(rng.randint(1, 5)):
+        k = rng.randrange(len(data))
+        what = rng.randrange(4)
+        if what == 0:
+            data[k] ^= 1 << rng.randrange(8)
+        elif what == 1:
+            del data[k : k + rng.randrange(1, 20)]
+        elif what == 2:
+            data[k:k] = rng.choice([b'"', b"{", b"]", b",", b"-", b"e9", b"1e", b"\x00", b"NaN"])
+        else:
+            data[k] = rng.randrange(256)
+        if not data:
+            break
+    return data.decode("utf-8", errors=rng.choice(["replace", "surrogateescape"]))
+
+
+def _replace_somewhere(rng: random.Random, body: dict) -> None:
+    place = body
+    while True:
+        keys = list(place) if isinstance(place, dict) else list(range(len(place)))
+        if not keys:
+            return
+        key = rng.choice(keys)
+        if isinstance(place[key], dict | list) and rng.random() < 0.85:
+            place = place[key]
+            continue
+        what = rng.random()
+        if what < 0.2:
+            del place[key]
+        elif what < 0.3 and isinstance(place, dict):
+            place[rng.choice(["x", "v1", "e1", "holes", "ä"])] = place[key]
+        elif what < 0.5 and isinstance(place[key], int | float):
+            place[key] *= rng.choice([-1, 0, 1e-9, 1e3, 1e9])
+        else:
+            place[key] = rng.choice(EXTREMES)
+        return
+
+
+KINDS = {"wild": wild_sketch, "bent": bent_sketch, "broken": broken_sketch}
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How a case went: a status, or "refused"; and what must not be, if anything."""
+
+    case: int
+    kind: str
+    ended: str
+    seconds: float
+    trouble: str | None = None
+
+
+def case_text(case: int) -> tuple[str, str]:
+    """The kind and the text of a case."""
+    rng = random.Random(case)
+    kind = rng.choice(["wild", "bent", "broken", "broken", "broken", "broken"])
+    return kind, KINDS[kind](rng)
+
+
+def put_through(text: str) -> str:
+    """How a sketch file ends: "refused", or the solution's status; raises where it must not."""
+    try:
+        graph = sketch_from_text(text)
+    except SketchError as error:
+        line = str(error)
+        assert line
+        assert len(line.splitlines()) == 1, line
+        assert len(line) < MAX_LINE, line
+        return "refused"
+    again = sketch_to_text(graph)
+    again.encode()
+    assert sketch_from_text(again) == graph
+    for finding in findings(graph):
+        assert len(finding.text.splitlines()) == 1, finding
+    solution = solve(graph)
+    assert solution.message.endswith((".", ".)")), solution.message
+    assert len(solution.message.splitlines()) == 1, solution.message
+    assert all(np.isfinite(x).all() for x in solution.vertices_mm.values())
+    saved = solution_to_text(solution)
+    saved.encode()
+    assert solution_to_text(solution_from_text(saved)) == saved
+    return solution.status.value
+
+
+def run_case(case: int) -> Outcome:
+    """One case, timed in processor time; an endless loop is cut off."""
+    kind, text = case_text(case)
+    began = time.process_time()
+    ended, trouble = "failed", None
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            ended = put_through(text)
+    except Exception as error:
+        trouble = f"{type(error).__name__}: {str(error)[:300]} {_where(error)}"
+    seconds = time.process_time() - began
+    if trouble is None and seconds > MAX_SECONDS:
+        trouble = f"took {seconds:.1f} s"
+    memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
+    if trouble is None and memory > MAX_MEMORY_BYTES:
+        trouble = f"{memory / 1e6:.0f} MB"
+    return Outcome(case, kind, ended, seconds, trouble)
+
+
+def _where(error: BaseException) -> str:
+    places = []
+    trace = error.__traceback__
+    while trace is not None:
+        code = trace.tb_frame.f_code
+        places.append(f"{Path(code.co_filename).name}:{trace.tb_lineno} {code.co_name}")
+        trace = trace.tb_next
+    return " < ".join(reversed(places[-4:]))
+
+
+def _limit() -> None:
+    """In each process: memory, niceness, and an alarm for endless loops."""
+    os.nice(10)
+    resource.setrlimit(resource.RLIMIT_AS, (4 * MAX_MEMORY_BYTES, 4 * MAX_MEMORY_BYTES))
+
+    def too_long(*_: object) -> None:
+        raise TimeoutError("endless")
+
+    signal.signal(signal.SIGPROF, too_long)
+
+
+def run_batch(cases: range) -> list[Outcome]:
+    outcomes = []
+    for case in cases:
+        signal.setitimer(signal.ITIMER_PROF, 4 * MAX_SECONDS)
+        outcomes.append(run_case(case))
+    signal.setitimer(signal.ITIMER_PROF, 0)
+    return outcomes
+
+
+def main() -> int:
+    """Run cases; the exit status tells whether any failed."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
+    parser.add_argument("--count", type=int, default=100_000)
+    parser.add_argument("--first", type=int, default=0)
+    parser.add_argument("--processes", type=int, default=2)
+    asked = parser.parse_args()
+    last = asked.first + asked.count
+    batches = [range(k, min(k + BATCH, last)) for k in range(asked.first, last, BATCH)]
+    ended: Counter[tuple[str, str]] = Counter()
+    troubles, slowest = 0, 0.0
+    began = time.perf_counter()
+    with ProcessPoolExecutor(asked.processes, get_context("spawn"), _limit) as pool:
+        for outcomes in pool.map(run_batch, batches):
+            for outcome in outcomes:
+                ended[outcome.kind, outcome.ended] += 1
+                slowest = max(slowest, outcome.seconds)
+                if outcome.trouble is not None:
+                    troubles += 1
+                    print(f"case {outcome.case} ({outcome.kind}): {outcome.trouble}", flush=True)
+    for (kind, how), n in sorted(ended.items()):
+        print(f"{kind:7} {how:15} {n:7}")
+    print(f"{troubles} of {asked.count} failed; the slowest took {slowest:.2f} s", end="; ")
+    print(f"{time.perf_counter() - began:.0f} s in all")
+    return int(troubles > 0)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -8,10 +8,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+from .focal_prior import USUAL, tighter, usual_prior
 from .full import EXIF_LOG_SIGMA, FocalPrior, FullProblem, Pose
 from .graph import SketchGraph
-from .initial import USUAL_LOG_FOCAL
 from .least_squares import minimise
+from .lifting import is_unsure_of_focal
 from .placed import put_in_world
 from .problem import build_problem
 from .revolution import without_profiles
@@ -19,7 +20,7 @@ from .solution import Solution
 from .structure import Structure, build_structure
 from .symmetry import Geometry, mirrored
 from .topology import Topology, topology_of
-from .two_step import USUAL_FOCAL_SIGMA, is_unsure_of_focal, solve
+from .two_step import solve
 from .warm_start import pose_from
 
 #: Iterations at each move: the shape follows within a fraction of a pixel.
@@ -42,6 +43,8 @@ class Drag:
     _structure: Structure | None = None
     _pose: Pose | None = None
     _prior: FocalPrior | None = None
+    _expected: FocalPrior | None = None
+    _rated: bool = False
 
 
 def begin_drag(graph: SketchGraph, solution: Solution | None = None) -> Drag:
@@ -68,8 +71,13 @@ def begin_drag(graph: SketchGraph, solution: Solution | None = None) -> Drag:
     prior = None if known is None else FocalPrior(known, EXIF_LOG_SIGMA)
     if problem.camera is not None:
         prior = None
-    elif prior is None and is_unsure_of_focal(FullProblem(problem, None), pose):
-        prior = FocalPrior(USUAL_LOG_FOCAL, USUAL_FOCAL_SIGMA)
+    elif prior is None:
+        full = FullProblem(problem, None)
+        expected = USUAL if is_unsure_of_focal(full, pose) else None
+        rated = tighter(usual_prior(full, pose), expected)
+        return replace(
+            idle, _structure=structure, _pose=pose, _prior=rated, _expected=expected, _rated=True
+        )
     return replace(idle, _structure=structure, _pose=pose, _prior=prior)
 
 
@@ -87,10 +95,16 @@ def drag(last: Drag, graph: SketchGraph) -> Drag:
         return begin_drag(graph)
     core = without_profiles(graph)
     problem = build_problem(core, last._structure)
-    full = FullProblem(problem, last._prior)
-    minimum = minimise(full, last._pose, max_iterations=ITERATIONS, near=True)
-    solution = _describe(graph, core, full, minimum.x, last.solution)
-    return replace(last, graph=graph, solution=solution, _pose=minimum.x)
+    x = minimise(
+        FullProblem(problem, last._prior), last._pose, max_iterations=ITERATIONS, near=True
+    ).x
+    prior = last._prior
+    if last._rated:
+        # The misfit has changed, and with it how far the drawing is trusted.
+        prior = tighter(usual_prior(FullProblem(problem, None), x), last._expected)
+        x = minimise(FullProblem(problem, prior), x, max_iterations=1, near=True).x
+    solution = _describe(graph, core, FullProblem(problem, prior), x, last.solution)
+    return replace(last, graph=graph, solution=solution, _pose=x, _prior=prior)
 
 
 def _describe(

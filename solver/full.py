@@ -26,7 +26,7 @@ from .least_squares import Evaluation
 from .problem import Problem
 from .values import Array, IntArray
 
-#: How well a focal length from EXIF is known, and the wide prior where nothing else decides.
+#: How well a focal length from EXIF is known.
 EXIF_LOG_SIGMA = 0.01
 #: A person's drawing error in image units, against which priors are weighed.
 DRAWING_SIGMA = 0.005

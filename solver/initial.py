@@ -39,8 +39,8 @@ REFINEMENTS = 12
 LIKELY_LOG_FOCAL = (float(np.log(0.7)), float(np.log(6.0)))
 #: Log focal lengths to begin with: wide, usual, tele.
 FOCAL_GUESSES = (float(np.log(1.5)), float(np.log(0.9)), float(np.log(3.5)))
-#: A usual phone camera, 26 mm equivalent, where nothing tells the focal length.
-USUAL_LOG_FOCAL = float(np.log(1.45))
+#: Between a phone's main camera (26 mm equivalent) and its twofold zoom (52 mm).
+USUAL_LOG_FOCAL = float(np.log(2.05))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

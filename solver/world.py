@@ -114,6 +114,21 @@ def nothing_sinks(graph: SketchGraph, problem: Problem, pose: Pose) -> bool:
     return float(height.min()) > -SUNK * float(np.ptp(c, axis=0).max())
 
 
+def lean(graph: SketchGraph, problem: Problem, pose: Pose) -> float:
+    """How far the object's middle is from above the middle of its stand, in parts of its height.
+
+    Things that stand do not lean over; 0 where nothing stands on the ground.
+    """
+    ground = ground_indices(graph)
+    c = pose.g[problem.structure.coordinate]
+    if not ground or len(ground) == len(c):
+        return 0.0
+    up = up_direction(graph, problem, pose)
+    offset = c.mean(axis=0) - c[ground].mean(axis=0)
+    height = float(offset @ up)
+    return float(np.linalg.norm(offset - height * up)) / max(abs(height), 1e-300)
+
+
 def ground_indices(graph: SketchGraph) -> list[int]:
     """Indices of the points on the ground: annotated vertices, ground circles' centres."""
     topology = topology_of(graph)

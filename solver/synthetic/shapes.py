@@ -13,7 +13,16 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from ..annotations import Annotation, EqualLength, Ground, Length, OnFace, Parallel, RightAngle
+from ..annotations import (
+    Annotation,
+    EqualLength,
+    Ground,
+    Length,
+    OnFace,
+    Parallel,
+    RightAngle,
+    SymmetryPlane,
+)
 from ..graph import Face
 from ..values import Array
 
@@ -112,16 +121,16 @@ def staircase(steps: int = 3, run: float = 60, rise: float = 40, d: float = 150)
 def tapered_tray(
     w: float = 200, d: float = 140, h: float = 60, slope_x: float = 30, slope_y: float = 20
 ) -> Shape:
-    """Wider above than below: no right angle at any corner of its sides, equal slanted edges."""
+    """Wider above than below: no right angle at any corner of its sides, two planes of symmetry."""
     rim = [(-slope_x, -slope_y), (w + slope_x, -slope_y), (w + slope_x, d + slope_y),
            (-slope_x, d + slope_y)]  # fmt: skip
     X = [[x, y, 0.0] for x, y in ((0.0, 0.0), (w, 0.0), (w, d), (0.0, d))]
     shape = from_loops("tapered tray", [*X, *([x, y, h] for x, y in rim)], BOX_LOOPS)
-    edge = {pair: f"e{k}" for k, pair in enumerate(shape.edges)}
-    more: dict[str, Annotation] = {
-        f"par{k}": Parallel((edge[k, k + 1], edge[k + 4, k + 5])) for k in (0, 1)
+    # The edges of the bottom and of the rim along x, and those along y.
+    more: dict[str, Annotation] = {"par0": Parallel(("e0", "e4")), "par1": Parallel(("e1", "e5"))}
+    more |= {
+        f"sym{k}": SymmetryPlane((f"e{k}", f"e{k + 2}", f"e{k + 4}", f"e{k + 6}")) for k in (0, 1)
     }
-    more["equal"] = EqualLength(tuple(edge[k, k + 4] for k in range(4)))
     return replace(shape, annotations={**shape.annotations, **more})
 
 
@@ -229,5 +238,5 @@ def table(
 #: All of them, and a cube.
 SHAPES: tuple[Callable[[], Shape], ...] = (
     box, lambda: box(100, 100, 100, "cube"), l_shape, wedge, house, staircase, bookshelf, organizer,
-    hexagonal_box, table,
+    hexagonal_box, tapered_tray, table,
 )  # fmt: skip

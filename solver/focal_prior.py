@@ -1,0 +1,50 @@
+"""What is expected of the focal length where nobody tells it.
+
+A person's errors are not independent: a direction drawn towards a wrong vanishing point takes all
+its edges along, and the full step then blames the camera. What the drawing says of the focal length
+is trusted as far as its own misfit allows, and no further; an exact drawing is trusted wholly.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .full import DRAWING_SIGMA, FocalPrior, FullProblem, Pose
+from .initial import USUAL_LOG_FOCAL
+
+#: Half the way from a phone's main camera to its twofold zoom.
+USUAL_SIGMA = 0.35
+USUAL = FocalPrior(USUAL_LOG_FOCAL, USUAL_SIGMA)
+#: The misfit shows what part of the squared errors is not consistent with any shape: for leaning
+#: drawings about a third. And however many vertices lean together, they tell no more than so many.
+HIDDEN = 3.0
+LEANING_TOGETHER = 8
+
+
+def usual_prior(full: FullProblem, x: Pose) -> FocalPrior | None:
+    """The usual focal length, weighed by the misfit at a minimum; None for an exact drawing.
+
+    Parameters
+    ----------
+    full : FullProblem
+        Without a prior.
+    x : Pose
+        Its minimum.
+    """
+    _, H = full.constraints(x)
+    held = int(np.linalg.matrix_rank(H)) if H.size else 0
+    rows = 2 * full.n_vertices + 5 * len(full.problem.circles)
+    freedoms = 4 + full.m - held - len(full.idle_directions(x)) - 1
+    variance = full.merit(x, 0.0) / max(1, rows - freedoms)
+    points = full.n_vertices + len(full.problem.circles)
+    error = np.sqrt(HIDDEN * max(1.0, points / LEANING_TOGETHER) * variance)
+    if error < 1e-9:
+        return None
+    return FocalPrior(USUAL_LOG_FOCAL, USUAL_SIGMA * DRAWING_SIGMA / float(error))
+
+
+def tighter(a: FocalPrior | None, b: FocalPrior | None) -> FocalPrior | None:
+    """That which says more."""
+    if a is None or b is None:
+        return a or b
+    return a if a.sigma < b.sigma else b

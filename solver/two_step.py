@@ -39,6 +39,7 @@ from .faces import find_faces
 from .graph import SketchGraph
 from .lifting import Lifted, lift
 from .placed import put_in_world
+from .problem import build_problem
 from .residuals import annotation_residuals
 from .revolution import without_profiles
 from .solution import Report, Solution, Status

@@ -8,13 +8,16 @@ import pytest
 
 from incontext.solver import load_sketch, solve
 from incontext.solver.annotations import EqualLength, Ground, OnFace, SymmetryPlane
-from incontext.solver.graph import SketchGraph
+from incontext.solver.camera import Camera
+from incontext.solver.graph import Photo, SketchGraph
+from incontext.solver.synthetic import box
 from incontext.tests.canvas.test_tools import SQUARE, Hand
 from incontext.workbench.canvas.perspective import on_plane
 from incontext.workbench.canvas.plane import middle
 from incontext.workbench.canvas.solved import Solved
 from incontext.workbench.canvas.symmetry import outline_of
 from incontext.workbench.canvas.tools.base import Pointer
+from incontext.workbench.canvas.tools.box import hidden_corner
 
 SHELF = Path(__file__).parent.parent / "data" / "shelf.sketch.json"
 
@@ -193,3 +196,52 @@ def test_a_vertex_touches_no_face_of_its_own(shelf, solved):
     hand.drawing.move(hand.at(*middle([shelf.vertices[v] for v in front])))
     areas = hand.drawing.preview.areas
     assert not any(shelf.vertices["v0"] in area for area in areas)
+
+
+#: Left, front and right on the ground, above them from right to left, the back above; hidden.
+BOX_CORNERS = ("v3", "v0", "v1", "v5", "v4", "v7", "v6", "v2")
+
+
+def test_a_box_by_its_seven_corners_is_solved_to_its_true_proportions():
+    camera = looking_at_a_corner()
+    X = box(200, 150, 120).X
+    places = {f"v{k}": tuple(place) for k, place in enumerate(camera.project(X))}
+    hand = Hand(SketchGraph(photo=Photo(None, 1600, 1200)), "box")
+    for name in BOX_CORNERS[:7]:
+        hand.drawing.move(hand.at(*places[name]))
+        assert hand.drawing.preview is not None
+        hand.click(*places[name])
+    assert hand.words == ["Draw box"]
+    assert hand.graph.vertices["v8"] == pytest.approx(places["v2"], abs=0.1)
+    assert len(hand.drawing.selection.edges) == 12
+    hand.drawing.toggle_construction()
+    assert len(hand.graph.construction) == 12
+    solution = solve(hand.graph)
+    assert solution.status.value == "converged", solution.message
+    size = np.ptp(np.array(list(solution.vertices_mm.values())), axis=0)
+    assert sorted(size / size.max()) == pytest.approx([120 / 200, 150 / 200, 1], rel=1e-3)
+
+
+def looking_at_a_corner():
+    eye, target = np.array([-250.0, -500.0, 400.0]), np.array([100.0, 75.0, 40.0])
+    forward = (target - eye) / np.linalg.norm(target - eye)
+    right = np.cross(forward, (0.0, 0.0, 1.0))
+    right /= np.linalg.norm(right)
+    turn = np.array([right, np.cross(forward, right), forward])
+    return Camera(1500.0, np.array([800.0, 600.0]), turn, -turn @ eye)
+
+
+def test_a_box_is_given_up_by_escape_and_slips_do_not_count():
+    hand = Hand(SketchGraph(), "box")
+    hand.click(10, 100)
+    hand.click(11, 101)
+    hand.click(60, 130)
+    assert "right corner" in hand.drawing.tool.hint
+    hand.drawing.escape()
+    assert "left corner" in hand.drawing.tool.hint
+    assert hand.words == []
+
+
+def test_the_hidden_corner_of_a_box_without_perspective():
+    seen = [(0, 50), (40, 70), (90, 50), (90, 10), (40, 30), (0, 10), (50, -10)]
+    assert hidden_corner(seen) == pytest.approx((50, 30))

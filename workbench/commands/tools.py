@@ -88,6 +88,19 @@ class Square(ToolCommand):
     TOOLTIP = "As the rectangle, with four equal sides"
 
 
+class Box(ToolCommand):
+    """Draw boxes."""
+
+    NAME = "InContext_ToolBox"
+    ICON = "InContext_ToolBox"
+    TOOL, KEY = "box", "B"
+    MENU_TEXT = "Box"
+    TOOLTIP = (
+        "Click the seven corners that are seen of a box, such as a book in the photo; "
+        "as construction it gives the perspective"
+    )
+
+
 class Circle(ToolCommand):
     """Draw circles."""
 
@@ -203,6 +216,7 @@ TOOL_COMMANDS: tuple[type[ToolCommand], ...] = (
     Line,
     Rectangle,
     Square,
+    Box,
     Circle,
     Revolution,
     RightAngle,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from .base import Tool
+from .box import BoxTool
 from .circle import CircleTool
 from .equal_length import EqualLengthTool
 from .faces import LeaveOutTool, ThicknessTool
@@ -26,6 +27,7 @@ TOOLS: dict[str, type[Tool]] = {
         LineTool,
         RectangleTool,
         SquareTool,
+        BoxTool,
         CircleTool,
         RevolutionTool,
         RightAngleTool,

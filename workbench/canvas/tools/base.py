@@ -97,6 +97,15 @@ class Tool:
         """What to show besides the graph."""
         return Preview()
 
+    def snap(self, pointer: Pointer, lead: Lead | None = None) -> Snap:
+        """What the pointer sticks to, unless it is kept from it."""
+        if pointer.is_free:
+            return Snap(SnapKind.FREE, pointer.point_px)
+        solved = self.drawing.solved
+        meet = always if pointer.adding else never if solved is None else solved.meet
+        place, reach = pointer.point_px, pointer.reach_px
+        return snap(self.drawing.committed, place, reach, lead=lead, meet=meet)
+
 
 class TwoPointTool(Tool):
     """A tool that draws from one place to another: press, drag, release; or click and click."""
@@ -119,16 +128,7 @@ class TwoPointTool(Tool):
     def move(self, pointer: Pointer) -> None:
         """Show what would be drawn."""
         self._reach_px = pointer.reach_px
-        self._end = self._snap(pointer)
-
-    def _snap(self, pointer: Pointer, lead: Lead | None = None) -> Snap:
-        """What the pointer sticks to, unless it is kept from it."""
-        if pointer.is_free:
-            return Snap(SnapKind.FREE, pointer.point_px)
-        solved = self.drawing.solved
-        meet = always if pointer.adding else never if solved is None else solved.meet
-        place, reach = pointer.point_px, pointer.reach_px
-        return snap(self.drawing.committed, place, reach, lead=lead, meet=meet)
+        self._end = self.snap(pointer)
 
     def release(self, pointer: Pointer) -> None:
         """End a drag; after a click, wait for the second one."""

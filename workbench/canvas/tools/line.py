@@ -38,7 +38,7 @@ class LineTool(TwoPointTool):
             solved = self.drawing.solved
             vanishing = () if solved is None else solved.vanishing_px
             lead = Lead(self._start.point_px, vanishing)
-        self._end = self._snap(pointer, lead)
+        self._end = self.snap(pointer, lead)
 
     def graph_replaced(self) -> None:
         """See `Tool`: goes on drawing if the start is still there."""

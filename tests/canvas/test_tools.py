@@ -1,5 +1,7 @@
 """Every tool by itself, without a screen: what its gestures make of a drawing."""
 
+from pathlib import Path
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -13,6 +15,8 @@ from incontext.workbench.canvas.questions import About, Question
 from incontext.workbench.canvas.snapping import SnapKind
 from incontext.workbench.canvas.tools import KEYS, TOOLS
 from incontext.workbench.canvas.tools.base import Pointer
+
+RESOURCES = Path(__file__).parents[2] / "resources"
 
 SQUARE = SketchGraph(
     vertices={"v1": (100, 100), "v2": (200, 100), "v3": (200, 200), "v4": (100, 200)},
@@ -58,6 +62,17 @@ def test_tools_have_each_a_name_a_key_and_words():
         assert name == hand.drawing.tool.NAME
         assert hand.drawing.tool.hint
         assert tool.TITLE
+
+
+@pytest.mark.parametrize("name", TOOLS)
+def test_tools_have_each_an_icon_and_a_picture_with_words(name):
+    tool = TOOLS[name]
+    icon = "".join(word.capitalize() for word in name.split("_"))
+    assert (RESOURCES / "icons" / f"InContext_Tool{icon}.svg").exists()
+    assert (RESOURCES / "docs" / "tools" / f"{name}.png").exists()
+    page = (RESOURCES / "docs" / "tools.md").read_text(encoding="utf-8")
+    assert f"## {tool.TITLE} ({tool.KEY})" in page
+    assert f"(tools/{name}.png)" in page
 
 
 def test_line_by_clicks_goes_on_until_escape():

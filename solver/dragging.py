@@ -13,6 +13,7 @@ from .full import EXIF_LOG_SIGMA, FocalPrior, FullProblem, Pose
 from .graph import SketchGraph
 from .least_squares import minimise
 from .lifting import is_unsure_of_focal
+from .on_found_faces import listing_named_faces
 from .placed import put_in_world
 from .problem import build_problem
 from .revolution import without_profiles
@@ -59,7 +60,7 @@ def begin_drag(graph: SketchGraph, solution: Solution | None = None) -> Drag:
     """
     solution = solve(graph) if solution is None else solution
     idle = Drag(graph, solution, topology_of(graph))
-    core = without_profiles(graph)
+    core = without_profiles(listing_named_faces(graph, solution.faces))
     structure = build_structure(core)
     if structure.contradiction:
         return idle
@@ -93,7 +94,7 @@ def drag(last: Drag, graph: SketchGraph) -> Drag:
     """
     if last._pose is None or last._structure is None or topology_of(graph) is not last._topology:
         return begin_drag(graph)
-    core = without_profiles(graph)
+    core = without_profiles(listing_named_faces(graph, last.solution.faces))
     problem = build_problem(core, last._structure)
     x = minimise(
         FullProblem(problem, last._prior), last._pose, max_iterations=ITERATIONS, near=True

@@ -12,6 +12,7 @@ from __future__ import annotations
 import time
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -38,6 +39,7 @@ from .errors import SketchError
 from .faces import find_faces
 from .graph import SketchGraph
 from .lifting import Lifted, lift
+from .on_found_faces import solve_on_found_faces
 from .placed import put_in_world
 from .problem import build_problem
 from .residuals import annotation_residuals
@@ -70,7 +72,7 @@ def solve(graph: SketchGraph, *, stop: Stop | None = None) -> Solution:
     began = time.perf_counter()
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
         try:
-            solution = _solve(graph, stop)
+            solution = solve_on_found_faces(graph, partial(_solve, stop=_with_deadline(stop)))
         except np.linalg.LinAlgError:
             solution = _lost(graph)
     if not solution.is_bounded:
@@ -79,13 +81,12 @@ def solve(graph: SketchGraph, *, stop: Stop | None = None) -> Solution:
     return replace(solution, report=replace(solution.report, solve_ms=elapsed))
 
 
-def _solve(graph: SketchGraph, stop: Stop | None) -> Solution:
-    nothing = _nothing_tolift(graph)
+def _solve(graph: SketchGraph, stop: Stop) -> Solution:
+    nothing = _nothing_to_lift(graph)
     if nothing is not None:
         return Solution(graph.digest, Status.UNDERDETERMINED, nothing)
     core = without_profiles(graph)
     structure = build_structure(core)
-    stop = _with_deadline(stop)
     if structure.contradiction:
         return _without_culprit(graph, core, stop)
     if structure.n_coordinates > MAX_COORDINATES:
@@ -120,7 +121,7 @@ def _with_deadline(stop: Stop | None) -> Stop:
     return lambda: time.perf_counter() > deadline or (stop is not None and stop())
 
 
-def _nothing_tolift(graph: SketchGraph) -> str | None:
+def _nothing_to_lift(graph: SketchGraph) -> str | None:
     if not graph.edges and not graph.circles:
         return "The sketch has no edges: draw the object's edges over the photo."
     if flat := flat_circles(graph):

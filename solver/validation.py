@@ -8,7 +8,7 @@ from enum import StrEnum
 
 import numpy as np
 
-from .annotations import Annotation, Diameter, Length, OnFace, RightAngle, targets_of
+from .annotations import Annotation, Diameter, Length, RightAngle, targets_of
 from .circles import flat_circles
 from .diagnosis import clashing_annotations
 from .graph import SketchGraph
@@ -65,7 +65,6 @@ def findings(graph: SketchGraph) -> tuple[Finding, ...]:
             _no_ground,
             _no_length,
             _face_edges,
-            _unknown_faces,
         )
         for finding in check(graph)
     ]
@@ -238,14 +237,3 @@ def _undrawn_sides(topology: Topology) -> tuple[tuple[str, list[str]], ...]:
             if gaps:
                 found.append((id_, gaps))
     return tuple(found)
-
-
-def _unknown_faces(graph: SketchGraph) -> Iterator[Finding]:
-    if graph.faces is None and OnFace in _kinds(graph.annotations):
-        for id_, a in graph.annotations.items():
-            if isinstance(a, OnFace):
-                yield _warning(
-                    f"annotation {id_} names face {a.face}, but the sketch lists no faces; "
-                    "try: list the face",
-                    id_,
-                )

@@ -11,6 +11,11 @@ import FreeCAD
 import Import
 import pytest
 
+from incontext.tests.fabrication import shapes
+from incontext.workbench.fabrication import PlateSettings, make_plates
+from incontext.workbench.fabrication.drawing import draw
+from incontext.workbench.fabrication.dxf import dxf_bytes
+from incontext.workbench.fabrication.sheets import lay_out
 from incontext.workbench.features.exports import export_plates
 
 CUT = ("CUT_OUTER", "CUT_INNER")
@@ -64,3 +69,21 @@ def test_everything_in_the_file_is_read(shelf, imported, tmp_path):
         wanted += sum(dist(a, b) for a, b in pairwise([*points, *closing]))
     total = sum(shape.Length for shape in imported(tmp_path / "shelf.dxf"))
     assert total == pytest.approx(wanted, rel=1e-6)
+
+
+@pytest.mark.parametrize("make", [shapes.organizer_8, shapes.table_tray, shapes.l_box])
+def test_other_shapes_have_their_length_and_size(make, imported, tmp_path):
+    settings = PlateSettings(kerf_mm=0.15, sheet_mm=(320.0, 300.0))
+    drawing = draw(sheets := lay_out(make_plates(make()), settings))
+    path = tmp_path / "plates.dxf"
+    path.write_bytes(dxf_bytes(sheets))
+    wanted = 0.0
+    for line in drawing.paths:
+        points = line.points.tolist()
+        wanted += sum(dist(a, b) for a, b in pairwise([*points, *points[: int(line.closed)]]))
+    read = imported(path)
+    assert sum(shape.Length for shape in read) == pytest.approx(wanted, rel=1e-4)
+    low = [min(getattr(shape.BoundBox, name) for shape in read) for name in ("XMin", "YMin")]
+    high = [max(getattr(shape.BoundBox, name) for shape in read) for name in ("XMax", "YMax")]
+    assert low == pytest.approx(drawing.low_mm, abs=1e-4)
+    assert high == pytest.approx(drawing.high_mm, abs=1e-4)

@@ -216,9 +216,12 @@ def _solver(method: str) -> Callable[..., Solution]:
 
 def _bench(arguments: argparse.Namespace) -> int:
     from .bench import Options, bench, write_pictures
+    from .bench.plates import plates_bench
 
     options = Options.quick() if arguments.quick else Options.full()
     for line in bench(options.with_runs(arguments.runs)):
+        print(line, flush=True)
+    for line in plates_bench():
         print(line, flush=True)
     if arguments.pictures:
         for path in write_pictures(Path("build") / "bench"):

@@ -28,3 +28,8 @@ if "incontext" not in _sys.modules:
             break
     else:
         raise ImportError("Modeling in Context: its own folder was not found on sys.path")
+
+    # Documents may be opened and saved before the workbench is.
+    from incontext.workbench.features import waking as _waking
+
+    _waking.start()

@@ -10,6 +10,15 @@ from .properties import Property, ensure_properties
 #: Version of what objects of this addon store; goes up when a migration is needed.
 OBJECT_VERSION = 1
 
+#: What each type of object has had since its first version: by these it is known even where
+#: FreeCAD forgot its Python side.
+ORIGINAL_PROPERTIES: dict[str, frozenset[str]] = {
+    "InContext::PhotoSketch": frozenset({"Photo", "Sketch", "Status", "Message"}),
+    "InContext::LiftedModel": frozenset({"PhotoSketch", "ScaleAssumed", "Status", "Message"}),
+    "InContext::PlateSet": frozenset({"LiftedModel", "FingerWidth", "PlateCount", "Status"}),
+    "InContext::ShelledSolid": frozenset({"LiftedModel", "Wall", "Side", "Status"}),
+}
+
 
 class Proxy:
     """Behaviour of a document object; its data are the object's properties alone.

@@ -56,6 +56,25 @@ def packages_folder() -> str:
     return str(py if new else folder)
 
 
+@contextmanager
+def own_packages_first() -> Iterator[None]:
+    """Import from the folder of installed packages first meanwhile.
+
+    FreeCAD searches it last; cadquery needs a newer pyparsing than Debian 12's Python has.
+    """
+    folder = packages_folder()
+    if folder not in sys.path:
+        yield
+        return
+    place = sys.path.index(folder)
+    sys.path.insert(0, sys.path.pop(place))
+    try:
+        yield
+    finally:
+        sys.path.remove(folder)
+        sys.path.insert(place, folder)
+
+
 def note(text: str) -> None:
     """Say something in the report view that needs no action."""
     _print("PrintMessage", text)

@@ -88,22 +88,6 @@ def test_photo_that_is_none_is_told(document, shelf_path, monkeypatch):
     assert document.Objects == []
 
 
-def test_missing_package_is_told_with_the_command_to_type(document, shelf_path, monkeypatch):
-    from incontext.workbench.commands import import_sketch
-    from incontext.workbench.panels import asking, messages
-
-    def fails(document, path):
-        raise ModuleNotFoundError("No module named 'shapely'", name="shapely")
-
-    told = []
-    monkeypatch.setattr(asking, "ask_for_file", lambda title, kinds: shelf_path)
-    monkeypatch.setattr(import_sketch, "imported", fails)
-    monkeypatch.setattr(messages, "tell", told.append)
-    FreeCADGui.runCommand("InContext_ImportSketch")
-    assert "pip install --target" in told[0]
-    assert "shapely" in told[0]
-
-
 def test_example_opens_side_by_side():
     from incontext.workbench.panels.tabs import open_tabs
 

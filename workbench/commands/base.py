@@ -26,6 +26,8 @@ class Command:
     MENU_TEXT: ClassVar[str]
     TOOLTIP: ClassVar[str]
     SHORTCUT: ClassVar[str] = ""
+    #: Packages, by import name, without which the command need not begin.
+    NEEDS: ClassVar[tuple[str, ...]] = ()
 
     def GetResources(self) -> dict[str, str]:  # noqa: N802  FreeCAD's names
         """How the command looks in menus and toolbars."""
@@ -47,11 +49,25 @@ class Command:
         from ..canvas.photo import PhotoError
 
         try:
-            self.run()
+            self._run_with_packages()
         except (CommandError, PhotoError, *known_problems()) as error:
             from ..panels.messages import tell
 
             tell(in_words(error))
+
+    def _run_with_packages(self) -> None:
+        """Run; where a package is missing, offer to install it and run again."""
+        from .. import packages
+
+        try:
+            packages.require(self.NEEDS)
+            self.run()
+        except ModuleNotFoundError as error:
+            from ..panels.installing import offer_to_install
+
+            host.report(in_words(error))
+            if offer_to_install(error):
+                self.run()
 
     def run(self) -> None:
         """Do it."""

@@ -16,6 +16,7 @@ class ExportPlates(Command):
     MENU_TEXT = "Export plates..."
     TOOLTIP = "Write the plates as DXF, SVG, STEP and plates.json into a folder"
     SHORTCUT = "I, X"
+    NEEDS = ("numpy", "scipy", "shapely", "ezdxf")
 
     def IsActive(self) -> bool:  # noqa: N802  FreeCAD's name
         """With plates in the document."""

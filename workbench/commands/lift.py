@@ -20,6 +20,7 @@ class Lift(Command):
     MENU_TEXT = "Lift to 3D"
     TOOLTIP = "Make the 3D model of the sketch; it follows every change of the sketch"
     SHORTCUT = "I, L"
+    NEEDS = ("numpy", "scipy")
 
     def IsActive(self) -> bool:  # noqa: N802  FreeCAD's name
         """With a photo sketch in the document."""

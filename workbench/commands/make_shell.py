@@ -21,6 +21,7 @@ class MakeShell(Command):
         "The first time takes some seconds"
     )
     SHORTCUT = "I, S"
+    NEEDS = ("numpy", "scipy", "cadquery")
 
     def IsActive(self) -> bool:  # noqa: N802  FreeCAD's name
         """With a lifted model in the document, or a sketch to lift first."""

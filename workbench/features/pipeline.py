@@ -11,6 +11,8 @@ from collections.abc import Callable
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
+from .. import host
+
 if TYPE_CHECKING:
     from ...solver import Drag
     from ...solver.graph import SketchGraph
@@ -100,9 +102,11 @@ def model_of(sketch_text: str, thickness_mm: float) -> Model:
 @lru_cache(maxsize=REMEMBERED)
 def joined_of(sketch_text: str, settings: PlateSettings) -> Joined:
     """The plates of a sketch and their joints; raises SketchError or FabricationError."""
-    from ..fabrication import joined_plates
+    model = model_of(sketch_text, settings.thickness_mm)
+    with host.own_packages_first():
+        from ..fabrication import joined_plates
 
-    return joined_plates(model_of(sketch_text, settings.thickness_mm), settings)
+        return joined_plates(model, settings)
 
 
 def plates_of(sketch_text: str, settings: PlateSettings) -> tuple[Plate, ...]:
@@ -121,9 +125,11 @@ def steps_of(joined: Joined) -> tuple[Step, ...]:
 @lru_cache(maxsize=REMEMBERED)
 def shell_of(sketch_text: str, settings: ShellSettings) -> str:
     """The hollow solid of a sketch as BREP text; raises SketchError or FabricationError."""
-    from ..fabrication import shell_solid
     from .brep_bridge import brep_text
 
     # The thickness of the faces is for plates: the shell has walls of one thickness.
     model = model_of(sketch_text, settings.wall_mm)
-    return brep_text(shell_solid(model, settings))
+    with host.own_packages_first():
+        from ..fabrication import shell_solid
+
+        return brep_text(shell_solid(model, settings))

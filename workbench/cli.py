@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 OK, FAULT, BAD_INPUT, BAD_SOLVE = 0, 1, 2, 3
 ENDING = ".sketch.json"
+#: Drawings of each family of shapes in each case of the study: a few minutes.
+STUDY_RUNS = 20
 #: The solver, and the reference methods by their names in ``solver.reference.METHODS``.
 METHODS = ("ours", "lau2010", "lipson1996")
 
@@ -129,6 +131,7 @@ def _add_bench(commands: Any) -> None:
     command = commands.add_parser("bench", help="compare the solvers", description=text)
     add = command.add_argument
     add("--runs", metavar="N", type=_count, help="views of each shape (5; 2 with --quick)")
+    add("--study", action="store_true", help="how exact and how sure ours is, over random shapes")
     add("--quick", action="store_true", help="small shapes and the table, about a minute")
     add("--pictures", action="store_true", help="write figure8.png and figure9.png to build/bench")
     command.set_defaults(run=_bench)
@@ -215,9 +218,13 @@ def _solver(method: str) -> Callable[..., Solution]:
 
 
 def _bench(arguments: argparse.Namespace) -> int:
-    from .bench import Options, bench, write_pictures
+    from .bench import Options, bench, study, write_pictures
     from .bench.plates import plates_bench
 
+    if arguments.study:
+        for line in study(arguments.runs or STUDY_RUNS):
+            print(line, flush=True)
+        return OK
     options = Options.quick() if arguments.quick else Options.full()
     for line in bench(options.with_runs(arguments.runs)):
         print(line, flush=True)

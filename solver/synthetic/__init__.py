@@ -3,7 +3,7 @@
 The tests and the benchmark measure on them; the solver itself never looks here.
 """
 
-from .cramer_rao import shape_error_floor
+from .cramer_rao import shape_error_floor, share_at_floor
 from .photographs import (
     HEIGHT,
     WIDTH,
@@ -66,6 +66,7 @@ __all__ = [
     "random_lid",
     "shape_error",
     "shape_error_floor",
+    "share_at_floor",
     "staircase",
     "table",
     "tapered_tray",

@@ -24,6 +24,8 @@ from .photographs import Photograph, photograph_exactly
 
 #: Singular values below this part of the largest are zero.
 RANK_TOLERANCE = 1e-9
+#: Drawings by which a share is estimated.
+N_DRAWN = 400
 
 
 def shape_error_floor(photo: Photograph, vertex_rms: float, *, focal_known: bool = False) -> float:
@@ -36,6 +38,23 @@ def shape_error_floor(photo: Photograph, vertex_rms: float, *, focal_known: bool
     vertex_rms : float
         RMS displacement of each vertex, in parts of the sketch's diagonal.
     focal_known : bool
+    """
+    return float(np.linalg.norm(_moves(photo, vertex_rms, focal_known)))
+
+
+def share_at_floor(
+    photo: Photograph, vertex_rms: float, limit: float, *, focal_known: bool = False
+) -> float:
+    """The share of drawings that a method at the floor solves with a smaller error than a limit."""
+    moves = _moves(photo, vertex_rms, focal_known)
+    drawn = np.random.default_rng(0).normal(size=(moves.shape[1], N_DRAWN))
+    return float(np.mean(np.linalg.norm(moves @ drawn, axis=0) < limit))
+
+
+def _moves(photo: Photograph, vertex_rms: float, focal_known: bool) -> Array:
+    """(3n, k): times independent normal numbers, displacements of an efficient method's vertices.
+
+    In units in which their length is the shape's error.
     """
     graph = photograph_exactly(photo.shape, photo.camera)
     problem = build_problem(graph, build_structure(graph))
@@ -65,7 +84,7 @@ def shape_error_floor(photo: Photograph, vertex_rms: float, *, focal_known: bool
     Q = _similarities(c)
     moved -= Q @ (Q.T @ moved)
     diameter = float(np.linalg.norm(c[:, None] - c[None], axis=2).max())
-    return float(np.sqrt((moved**2).sum() / len(c)) / diameter)
+    return np.asarray(moved / np.sqrt(len(c)) / diameter)
 
 
 def _padded(dX: Array) -> Array:

@@ -67,8 +67,9 @@ class Views:
 
     Parameters
     ----------
-    elevation_deg, fov_deg : (float, float)
-        Least and largest angle above the ground, and horizontal field of view.
+    elevation_deg, azimuth_deg, fov_deg : (float, float)
+        Least and largest angle above the ground, angle about the vertical (-90 sees the front), and
+        horizontal field of view.
     roll_deg : float
         The camera leans to a side by up to so much.
     off_centre : float
@@ -77,6 +78,7 @@ class Views:
 
     elevation_deg: tuple[float, float] = (15.0, 50.0)
     fov_deg: tuple[float, float] = (25.0, 65.0)
+    azimuth_deg: tuple[float, float] = (0.0, 360.0)
     roll_deg: float = 0.0
     off_centre: float = 0.0
 
@@ -157,7 +159,7 @@ def with_noise(graph: SketchGraph, vertex_rms: float, rng: np.random.Generator) 
 def random_camera(shape: Shape, rng: np.random.Generator, views: Views) -> Camera:
     """A camera that looks at the shape's middle from above and sees all of it."""
     elevation = np.radians(rng.uniform(*views.elevation_deg))
-    azimuth = rng.uniform(0, 2 * np.pi)
+    azimuth = np.radians(rng.uniform(*views.azimuth_deg))
     focal = float(WIDTH / 2 / np.tan(np.radians(rng.uniform(*views.fov_deg)) / 2))
     middle = (shape.X.min(axis=0) + shape.X.max(axis=0)) / 2
     level = np.cos(elevation)

@@ -9,8 +9,9 @@ success
     diameter.
 """
 
+from .accuracy import study
 from .options import Options
 from .pictures import write_pictures
 from .running import bench
 
-__all__ = ["Options", "bench", "write_pictures"]
+__all__ = ["Options", "bench", "study", "write_pictures"]

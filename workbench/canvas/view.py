@@ -264,7 +264,8 @@ class SketchView(PhotoView):
         """Light the ghost under the pointer; it is there for who selects, and draws nothing."""
         at_vertex = bool(self._drawing.preview.lit.vertices)
         free = self.tool_name == "select" and not event.buttons() and not at_vertex
-        where = (float(event.pos().x()), float(event.pos().y()))
+        pointer = position_of(event)
+        where = (float(pointer.x()), float(pointer.y()))
         if self._ghosts.point_at(where if free else None):
             self._refresh()
 

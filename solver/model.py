@@ -102,6 +102,8 @@ def build_model(
     """
     if solution.status is not Status.CONVERGED:
         raise SketchError(f"the sketch is not solved: {solution.message}", (), "")
+    for id_, r in (revolutions or {}).items():
+        _check_belongs(id_, r, solution)
     faces = {id_: _model_face(face, solution, thickness_mm) for id_, face in solution.faces.items()}
     turned = {id_: _turned(r, solution) for id_, r in (revolutions or {}).items()}
     if not turned and not any(face.included for face in faces.values()):
@@ -111,6 +113,14 @@ def build_model(
             "close a loop of edges that lies in one plane, or include a face",
         )
     return Model(faces, solution.vertices_mm, solution.edges, turned)
+
+
+def _check_belongs(id_: str, revolution: Revolution, solution: Solution) -> None:
+    """A solution read from a file may be that of another sketch."""
+    missing = [c for c in (revolution.bottom, revolution.top) if c not in solution.circles]
+    missing += [v for v in revolution.profile if v not in solution.vertices_mm]
+    if missing:
+        raise SketchError(f"revolution {id_} is not solved", missing[:5], "solve the sketch again")
 
 
 def _turned(revolution: Revolution, solution: Solution) -> Turned:

@@ -54,7 +54,9 @@ def solution_from_json(value: Any) -> Solution:
 
 def _check_references(solution: Solution) -> None:
     """Refuse edges and faces of vertices that are not there."""
-    named = [(f"edge {id_}", ends, 2) for id_, ends in solution.edges.items()]
+    named: list[tuple[str, tuple[str, ...], int]] = [
+        (f"edge {id_}", ends, 2) for id_, ends in solution.edges.items()
+    ]
     for id_, face in solution.faces.items():
         named += [(f"face {id_}", loop, 3) for loop in face.loops]
     for place, ids, at_least in named:

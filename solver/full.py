@@ -22,7 +22,7 @@ import numpy as np
 from .energies.circle import Support, circle_support
 from .geometry import cross, rotation
 from .initial import LOG_FOCAL_RANGE
-from .least_squares import Evaluation
+from .least_squares import Evaluation, smallest_step
 from .problem import Problem
 from .values import Array, IntArray
 
@@ -115,13 +115,14 @@ class FullProblem:
             A[:, :3] = A[:, :3] @ along
         if self.problem.camera is not None or self._focal_at_limit(x, float(b[3])):
             A[3], A[:, 3], b[3] = 0.0, 0.0, 0.0
-        gauge = x.g / (float(np.linalg.norm(x.g)) or 1.0)
-        A[4:, 4:] += np.outer(gauge, gauge)
+        # The overall size is free: it is held by one coordinate, which keeps the matrix sparse.
+        held = 4 + int(np.argmax(np.abs(x.g)))
+        A[held, held] += 1.0
         idle = self.idle_directions(x)
         if len(idle):
             A += idle.T @ idle
         h, H = self.constraints(x)
-        return Evaluation(A, b, h, H)
+        return Evaluation(A, b, h, H, n_common=4)
 
     def jacobian(self, x: Pose) -> tuple[Array, Array]:
         """Residuals and their derivatives over (omega, kappa, g), where nothing is held."""
@@ -324,7 +325,7 @@ class FullProblem:
         for _ in range(8):
             if worst < 1e-15:
                 break
-            dg = -np.linalg.lstsq(H[:, 4:], h, rcond=1e-9)[0]
+            dg = smallest_step(h, H[:, 4:])
             moved = Pose(x.R, x.log_focal, x.g + dg)
             h, H = self.constraints(moved)
             after = float(np.abs(h).max(initial=0.0))

@@ -20,6 +20,8 @@ from dataclasses import dataclass, replace
 from typing import Generic, Protocol, TypeVar
 
 import numpy as np
+from scipy.sparse import bmat, csc_array, identity
+from scipy.sparse.linalg import splu
 
 from .values import Array
 
@@ -31,6 +33,8 @@ LAST_PENALTY = 1e9
 #: A gain this small against the cost moves the shape by far less than a person can draw.
 ENOUGH = 1e-11
 FIRST_DAMPING = 1e-8
+#: Up to so many unknowns dense algebra is faster.
+MAX_DENSE = 150
 #: Nothing is left to gain below this: every point is met to 1e-13.
 EXACT_COST = 1e-26
 
@@ -47,12 +51,15 @@ class Evaluation:
         J^T r.
     h : (k,) array
     H : (k, n) array
+    n_common : int
+        So many unknowns, the first, are felt everywhere; the others only by few.
     """
 
     A: Array
     b: Array
     h: Array
     H: Array
+    n_common: int = 0
 
 
 class Objective(Protocol[X]):
@@ -201,11 +208,26 @@ def _step(at: Evaluation, rho: float, mu: float) -> Array | None:
     system[n:, n:] = -np.eye(k) / rho
     right = -np.concatenate([at.b, h])
     try:
-        solved = np.linalg.solve(system, right)
-    except np.linalg.LinAlgError:
+        solved = _solve(system, right, at.n_common)
+    except (np.linalg.LinAlgError, RuntimeError):
         return None
     step: Array = solved[:n]
     return step if bool(np.isfinite(step).all()) else None
+
+
+def _solve(system: Array, right: Array, n_common: int) -> Array:
+    """Dense, or for many unknowns sparse behind those first ones that everything depends on."""
+    if len(system) <= MAX_DENSE or not bool(np.isfinite(system).all()):
+        return np.asarray(np.linalg.solve(system, right))
+    c = n_common
+    factored = splu(csc_array(system[c:, c:]), permc_spec="MMD_AT_PLUS_A")
+    behind = factored.solve(np.column_stack([system[c:, :c], right[c:]]))
+    spread, rest = behind[:, :c], behind[:, c]
+    # The Schur complement of what is behind.
+    first = np.linalg.solve(
+        system[:c, :c] - system[:c, c:] @ spread, right[:c] - system[:c, c:] @ rest
+    )
+    return np.concatenate([first, rest - spread @ first])
 
 
 def _few_rows(h: Array, H: Array) -> tuple[Array, Array]:
@@ -214,3 +236,16 @@ def _few_rows(h: Array, H: Array) -> tuple[Array, Array]:
         return h, H
     Q, R = np.linalg.qr(H)
     return np.asarray(Q.T @ h), np.asarray(R)
+
+
+def smallest_step(h: Array, H: Array) -> Array:
+    """The smallest step that takes h to 0, or as near to 0 as can be: -H^+ h."""
+    k, n = H.shape
+    if n <= MAX_DENSE:
+        return np.asarray(-np.linalg.lstsq(H, h, rcond=1e-9)[0])
+    # Rows that say the same are told apart by a little slack; repeated steps do the rest.
+    rows = csc_array(H)
+    slack = 1e-12 * float(np.abs(H).max(initial=1.0)) ** 2
+    system = bmat([[identity(n), rows.T], [rows, -slack * identity(k)]], format="csc")
+    solved = splu(system).solve(np.concatenate([np.zeros(n), -h]))
+    return np.asarray(solved[:n])

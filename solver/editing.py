@@ -12,7 +12,7 @@ from itertools import pairwise
 
 from .annotating import annotate
 from .annotations import Annotation, Ground, Parallel, RightAngle
-from .graph import Face, Point, Revolution, SketchGraph
+from .graph import Ellipse, Face, Point, Revolution, SketchGraph
 from .ids import fresh_id, need
 from .parsing import check_references
 from .substitution import Substitution, substituted
@@ -220,3 +220,25 @@ def toggle_construction(graph: SketchGraph, ids: Iterable[str]) -> SketchGraph:
     others = tuple(id_ for id_ in graph.construction if id_ not in named)
     were_all = set(named) <= set(graph.construction)
     return replace(graph, construction=others if were_all else (*others, *named))
+
+
+def scaled(graph: SketchGraph, factor: float) -> SketchGraph:
+    """The graph over a photo that is so many times as large, which is another value to set."""
+
+    def place(point_px: Point) -> Point:
+        return rounded((factor * point_px[0], factor * point_px[1]))
+
+    camera = graph.camera
+    if camera is not None:
+        principal_point_px = factor * camera.principal_point_px
+        focal_px = factor * camera.focal_px
+        camera = replace(camera, focal_px=focal_px, principal_point_px=principal_point_px)
+    return replace(
+        graph,
+        vertices={v: place(point) for v, point in graph.vertices.items()},
+        circles={
+            c: Ellipse((place(e.a[0]), place(e.a[1])), (place(e.b[0]), place(e.b[1])))
+            for c, e in graph.circles.items()
+        },
+        camera=camera,
+    )

@@ -1,9 +1,23 @@
 """Photos as people see them."""
 
+import time
+from pathlib import Path
+
 import pytest
 from PIL import Image
+from PySide import QtCore, QtGui
 
-from incontext.workbench.canvas.photo import PhotoError, load_photo
+from incontext.workbench.canvas import photo_loading
+from incontext.workbench.canvas.photo import (
+    LARGE_PX,
+    PhotoError,
+    load_photo,
+    photo_size,
+    readable_formats,
+)
+from incontext.workbench.canvas.photo_giving import photo_in
+from incontext.workbench.canvas.photo_item import PhotoItem
+from incontext.workbench.canvas.photo_loading import PhotoLoading
 
 ORIENTATION = 0x0112
 TURNED_RIGHT = 6
@@ -35,3 +49,102 @@ def test_what_is_no_photo_is_told(tmp_path, content):
     path.write_bytes(content)
     with pytest.raises(PhotoError, match=r"cannot read the photo photo\.jpg"):
         load_photo(path)
+
+
+def test_what_is_no_photo_is_told_with_what_would_be(tmp_path):
+    path = tmp_path / "photo.webp"
+    path.write_bytes(b"RIFF....WEBPVP8 ")
+    with pytest.raises(PhotoError, match=r"read here are .*JPEG.*PNG"):
+        photo_size(path)
+    assert {"BMP", "JPEG", "PNG"} <= set(readable_formats())
+
+
+@pytest.mark.parametrize("width", [60, 6000])
+def test_size_is_that_of_the_upright_photo(tmp_path, width):
+    path = tmp_path / "held sideways.jpg"
+    exif = Image.Exif()
+    exif[ORIENTATION] = TURNED_RIGHT
+    Image.new("RGB", (width, width // 2), "white").save(path, exif=exif)
+    assert photo_size(path) == (width // 2, width)
+
+
+@pytest.fixture
+def large(tmp_path):
+    """A photo too large to be read at once: red left, white right, held sideways."""
+    path = tmp_path / "large.jpg"
+    exif = Image.Exif()
+    exif[ORIENTATION] = TURNED_RIGHT
+    image = Image.new("RGB", (6400, 4000), "white")
+    image.paste("red", (0, 0, 3200, 4000))
+    image.save(path, exif=exif, quality=60)
+    assert LARGE_PX < 6400 * 4000
+    return path
+
+
+def wait_for(is_so):
+    end = time.monotonic() + 20
+    while not is_so():
+        assert time.monotonic() < end
+        QtGui.QApplication.processEvents()
+
+
+def test_large_photo_comes_small_first(large):
+    loading, came = PhotoLoading(), []
+    loading.came.connect(came.append)
+    loading.load(large)
+    wait_for(lambda: len(came) == 3)
+    assert [max(image.width(), image.height()) for image in came] == [
+        *photo_loading.COPIES_PX,
+        6400,
+    ]
+    for image in came:
+        # Turned upright: red is above.
+        assert image.pixelColor(image.width() // 2, image.height() // 4).green() < 60
+        assert image.pixelColor(image.width() // 2, 3 * image.height() // 4).green() > 200
+
+
+def test_unreadable_large_photo_is_told(tmp_path):
+    path = tmp_path / "cut off.jpg"
+    path.write_bytes(b"not a photo")
+    loading, failed = PhotoLoading(), []
+    loading.failed.connect(failed.append)
+    loading.load(path)
+    wait_for(lambda: failed)
+    assert "cut off.jpg" in failed[0]
+
+
+def test_photo_not_wanted_any_more_does_not_come(large):
+    loading, came = PhotoLoading(), []
+    loading.came.connect(came.append)
+    loading.load(large)
+    loading.stop()
+    end = time.monotonic() + 0.5
+    while time.monotonic() < end:
+        QtGui.QApplication.processEvents()
+    assert came == []
+
+
+def test_item_paints_the_level_that_is_just_enough():
+    levels = [QtGui.QImage(side, side, QtGui.QImage.Format_RGB32) for side in (800, 50, 200)]
+    for image, colour in zip(levels, ("red", "green", "blue"), strict=True):
+        image.fill(QtGui.QColor(colour))
+    item = PhotoItem()
+    item.show_levels(levels, (800.0, 800.0))
+    assert [level.width() for level in item.levels] == [50, 200, 800]
+    for zoom, colour in ((0.05, "green"), (0.2, "blue"), (3.0, "red")):
+        surface = QtGui.QImage(100, 100, QtGui.QImage.Format_RGB32)
+        painter = QtGui.QPainter(surface)
+        painter.scale(zoom, zoom)
+        item.paint(painter, None)
+        painter.end()
+        assert surface.pixelColor(10, 10) == QtGui.QColor(colour)
+
+
+def test_photo_is_found_in_what_is_dropped():
+    file, picture, text = QtCore.QMimeData(), QtCore.QMimeData(), QtCore.QMimeData()
+    file.setUrls([QtCore.QUrl.fromLocalFile("/photos/desk.jpg")])
+    picture.setImageData(QtGui.QImage(4, 3, QtGui.QImage.Format_RGB32))
+    text.setText("desk.jpg")
+    assert photo_in(file) == Path("/photos/desk.jpg")
+    assert photo_in(picture).width() == 4
+    assert photo_in(text) is None

@@ -113,13 +113,25 @@ def test_space_pans_with_the_left_button(view):
     assert (at(view, "v8") - start - QtCore.QPoint(30, 0)).manhattanLength() <= 2
 
 
-def test_zoom_has_bounds_and_sharp_pixels_when_near(view):
+def test_zoom_has_bounds(view):
     view.zoom_by(1e9)
     assert view.zoom == pytest.approx(60)
-    assert view._photo.transformationMode() == Qt.FastTransformation
     view.zoom_by(1e-9)
     assert view.zoom == pytest.approx(0.02)
-    assert view._photo.transformationMode() == Qt.SmoothTransformation
+
+
+def test_pixels_blend_below_four_times_and_are_squares_above(view):
+    chequers = QtGui.QImage(800, 600, QtGui.QImage.Format_RGB32)
+    for x in range(800):
+        for y in range(600):
+            chequers.setPixelColor(x, y, QtGui.QColor("black" if (x + y) % 2 else "white"))
+    view.set_graph(SketchGraph())
+    view.set_photo(chequers, (800.0, 600.0))
+    for times, squares in ((3.0, False), (5.0, True)):
+        view.zoom_by(times / view.zoom)
+        image = view.grab().toImage()
+        row = {image.pixelColor(x, 200).name() for x in range(200, 300)}
+        assert (row <= {"#000000", "#ffffff"}) is squares
 
 
 def test_fit_key_shows_everything_again(view):

@@ -33,6 +33,8 @@ def meaning(event: QtGui.QKeyEvent) -> str:
         return "redo"
     if event.matches(QtGui.QKeySequence.SelectAll):
         return "all"
+    if event.matches(QtGui.QKeySequence.Paste):
+        return "paste"
     # The number pad's Enter says that it lies there.
     plain = event.modifiers() in (_Qt.NoModifier, _Qt.KeypadModifier)
     return _PLAIN.get(event.key(), "") if plain else ""

@@ -11,14 +11,13 @@ screen position
 from __future__ import annotations
 
 from . import style
+from .photo_item import PhotoItem
 from .qt import QtCore, QtGui, position_of
 
 _Qt = QtCore.Qt
 
 ZOOM_STEP = 1.2
 ZOOM_RANGE = (0.02, 60.0)
-#: From here on photo pixels are shown as sharp squares.
-SHARP_FROM = 4.0
 FIT_MARGIN = 0.02
 
 
@@ -27,7 +26,7 @@ class PhotoView(QtGui.QGraphicsView):
 
     def __init__(self, parent: QtGui.QWidget | None = None) -> None:
         super().__init__(parent)
-        self._photo = QtGui.QGraphicsPixmapItem()
+        self._photo = PhotoItem()
         self._size = (800.0, 600.0)
         self._pan_from: QtCore.QPoint | None = None
         self._space_held = False
@@ -47,14 +46,19 @@ class PhotoView(QtGui.QGraphicsView):
 
     def set_photo(self, image: QtGui.QImage | None, size_px: tuple[float, float]) -> None:
         """Show a photo, or none, stretched to the size that the sketch was drawn on."""
-        pixmap = QtGui.QPixmap() if image is None else QtGui.QPixmap.fromImage(image)
         width, height = self._size = size_px
-        self._photo.setPixmap(pixmap)
-        if not pixmap.isNull():
-            stretch = QtGui.QTransform.fromScale(width / pixmap.width(), height / pixmap.height())
-            self._photo.setTransform(stretch)
+        self._photo.show_levels([] if image is None else [image], size_px)
         # Room around the photo, so that its corners can be brought to the middle.
         self.setSceneRect(-width, -height, 3 * width, 3 * height)
+
+    def add_photo_level(self, image: QtGui.QImage) -> None:
+        """Show the photo in more detail, as it comes."""
+        self._photo.add_level(image, self._size)
+
+    @property
+    def has_photo(self) -> bool:
+        """Whether something of a photo is shown."""
+        return bool(self._photo.levels)
 
     def set_photo_strength(self, strength: float) -> None:
         """Fade the photo: 1 shows it as it is, 0 not at all."""
@@ -72,7 +76,6 @@ class PhotoView(QtGui.QGraphicsView):
         area = QtCore.QRectF(0, 0, width, height).adjusted(-margin, -margin, margin, margin)
         self.fitInView(area, _Qt.KeepAspectRatio)
         self._fitted = True
-        self._sharpen()
 
     def zoom_by(self, factor: float) -> None:
         """Zoom at the pointer."""
@@ -80,12 +83,6 @@ class PhotoView(QtGui.QGraphicsView):
         factor = max(low, min(high, self.zoom * factor)) / self.zoom
         self.scale(factor, factor)
         self._fitted = False
-        self._sharpen()
-
-    def _sharpen(self) -> None:
-        sharp = self.zoom >= SHARP_FROM
-        mode = _Qt.FastTransformation if sharp else _Qt.SmoothTransformation
-        self._photo.setTransformationMode(mode)
 
     def resizeEvent(self, event: QtGui.QResizeEvent) -> None:  # noqa: N802  Qt's names
         """Keep the whole photo in view while nobody zoomed."""

@@ -13,6 +13,7 @@ from .length_editor import LengthEditor
 from .lift_painting import paint_lift
 from .lifted import LiftedView
 from .marks import Marks, marks_of
+from .photo_giving import photo_in
 from .photo_view import PhotoView
 from .plane import middle
 from .preview import Selection
@@ -49,6 +50,8 @@ class SketchView(PhotoView):
         Another SketchGraph is shown, many a second in the middle of a drag.
     selection_changed(object)
         Something else is selected: a Selection.
+    photo_given(object)
+        A photo was dropped or pasted: its Path, or a QImage.
     """
 
     graph_edited = QtCore.Signal(object, str)
@@ -58,6 +61,7 @@ class SketchView(PhotoView):
     hint_changed = QtCore.Signal(str)
     graph_shown = QtCore.Signal(object)
     selection_changed = QtCore.Signal(object)
+    photo_given = QtCore.Signal(object)
 
     def __init__(
         self,
@@ -79,6 +83,7 @@ class SketchView(PhotoView):
         listener = Listener(self.graph_edited.emit, self._refresh, self._ask)
         self._drawing = Drawing(graph, listener)
         self._editor = LengthEditor(self.viewport(), self._drawing.answer)
+        self.setAcceptDrops(True)
         self._refresh()
         self.set_photo(image, sketch_size(graph))
 
@@ -307,6 +312,7 @@ class SketchView(PhotoView):
             "enter": self._drawing.finish,
             "delete": self._drawing.delete,
             "all": self._select_all,
+            "paste": self._paste,
             "suggestions": self.take_suggestions,
             "construction": self._drawing.toggle_construction,
         }.get(meaning)
@@ -314,6 +320,29 @@ class SketchView(PhotoView):
             super().keyPressEvent(event)
         else:
             action()
+
+    def _paste(self) -> None:
+        given = photo_in(QtGui.QApplication.clipboard().mimeData())
+        if given is not None:
+            self.photo_given.emit(given)
+
+    # Drops
+
+    def dragEnterEvent(self, event: QtGui.QDragEnterEvent) -> None:  # noqa: N802  Qt's names
+        """Take photos."""
+        if photo_in(event.mimeData()) is not None:
+            event.acceptProposedAction()
+
+    def dragMoveEvent(self, event: QtGui.QDragMoveEvent) -> None:  # noqa: N802
+        """Take them anywhere."""
+        event.acceptProposedAction()
+
+    def dropEvent(self, event: QtGui.QDropEvent) -> None:  # noqa: N802
+        """Hand the photo on."""
+        given = photo_in(event.mimeData())
+        if given is not None:
+            event.acceptProposedAction()
+            self.photo_given.emit(given)
 
     def _escape(self) -> None:
         self._telling_of_the_tool(self._drawing.escape)

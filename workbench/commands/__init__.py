@@ -11,12 +11,18 @@ from .make_plates import MakePlates
 from .make_shell import MakeShell
 from .new_sketch import NewSketch
 from .open_example import OpenExample
+from .paste_photo import PastePhoto
+from .replace_photo import ReplacePhoto
+from .view_through_photo import ViewThroughPhoto
 
 COMMANDS: tuple[type[Command], ...] = (
     NewSketch,
+    PastePhoto,
     ImportSketch,
     OpenExample,
     EditSketch,
+    ReplacePhoto,
+    ViewThroughPhoto,
     Lift,
     MakePlates,
     MakeShell,

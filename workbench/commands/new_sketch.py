@@ -8,8 +8,6 @@ from typing import Any
 from .. import host
 from .base import Command, active_document
 
-PHOTO_FILTER = "Photos (*.jpg *.jpeg *.png *.bmp *.tif *.tiff *.webp);;All files (*)"
-
 
 class NewSketch(Command):
     """Ask for a photo, open its tab."""
@@ -25,10 +23,10 @@ class NewSketch(Command):
 
     def run(self) -> None:
         """See the class."""
-        from ..panels.asking import ask_for_file
+        from ..panels.asking import ask_for_file, photo_kinds
         from ..panels.tabs import show_tab
 
-        path = ask_for_file(host.translate(self.NAME, "Choose a photo"), PHOTO_FILTER)
+        path = ask_for_file(host.translate(self.NAME, "Choose a photo"), photo_kinds())
         if path is not None:
             show_tab(new_sketch(active_document(), path))
 
@@ -43,13 +41,12 @@ def new_sketch(document: Any, path: Path) -> Any:
     """
     from ...solver.graph import Photo, SketchGraph
     from ...solver.serialise import sketch_to_text
-    from ..canvas.photo import load_photo
+    from ..canvas.photo import photo_size
     from ..exif import focal_length_px
     from ..features.photo_sketch import make_photo_sketch
 
-    image = load_photo(path)
-    size = (image.width(), image.height())
-    graph = SketchGraph(photo=Photo(path.name, *size, focal_px=focal_length_px(path)))
+    size_px = photo_size(path)
+    graph = SketchGraph(photo=Photo(path.name, *size_px, focal_px=focal_length_px(path)))
     with host.transaction(document, host.translate("InContext", "New sketch from a photo")):
         obj = make_photo_sketch(document, sketch_to_text(graph), path)
         document.recompute()

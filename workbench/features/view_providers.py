@@ -16,6 +16,8 @@ LIFTED_EDGE = (0.10, 0.35, 0.70)
 PRINT = (0.80, 0.82, 0.84)
 PRINT_EDGE = (0.30, 0.32, 0.35)
 
+#: FreeCAD's display mode of a photo in the 3D view.
+PHOTO_MODE = "Photo"
 #: Part of a face's colour that it has without any light on it.
 GLOW = 0.35
 
@@ -52,13 +54,32 @@ class View:
 
 
 class PhotoSketchView(View):
-    """A photo sketch has its own tab instead of something in the 3D view."""
+    """A photo sketch has its own tab; in the 3D view its photo stands behind the object.
+
+    The panels put the photo into `photo_root`, as soon as the sketch is lifted.
+    """
 
     ICON = "InContext_PhotoSketch"
 
-    def isShow(self) -> bool:  # noqa: N802  FreeCAD's name
-        """The tree greys out what is hidden; there is nothing of this to hide."""
-        return True
+    def attach(self, view_object: Any) -> None:
+        """See `View.attach`."""
+        from pivy import coin
+
+        super().attach(view_object)
+        self.photo_root = coin.SoSeparator()
+        view_object.addDisplayMode(self.photo_root, PHOTO_MODE)
+
+    def getDisplayModes(self, view_object: Any) -> list[str]:  # noqa: N802  FreeCAD's names
+        """The one way of being shown."""
+        return [PHOTO_MODE]
+
+    def getDefaultDisplayMode(self) -> str:  # noqa: N802
+        """The same."""
+        return PHOTO_MODE
+
+    def setDisplayMode(self, mode: str) -> str:  # noqa: N802
+        """The same."""
+        return mode
 
     def doubleClicked(self, view_object: Any) -> bool:  # noqa: N802
         """Open the tab."""

@@ -7,6 +7,7 @@ from pathlib import Path
 import FreeCADGui
 
 from .. import host
+from ..canvas.photo import readable_formats
 from ..canvas.qt import QtGui
 
 _LAST_FOLDER = "LastFolder"
@@ -16,6 +17,14 @@ def ask_for_file(title: str, kinds: str) -> Path | None:
     """A file to open, or None."""
     name, _ = QtGui.QFileDialog.getOpenFileName(_window(), title, _last_folder(), kinds)
     return _remembered(name)
+
+
+def photo_kinds() -> str:
+    """The photos that can be read, as file dialogs ask for them."""
+    names = {"JPEG": "*.jpg *.jpeg", "TIFF": "*.tif *.tiff", "HEIC": "*.heic *.heif"}
+    endings = " ".join(names.get(f, f"*.{f.lower()}") for f in readable_formats())
+    photos, others = (host.translate("InContext", words) for words in ("Photos", "All files"))
+    return f"{photos} ({endings});;{others} (*)"
 
 
 def ask_for_folder(title: str) -> Path | None:

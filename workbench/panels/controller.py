@@ -12,15 +12,20 @@ from typing import TYPE_CHECKING, Any
 from .. import host
 from ..canvas.evident import evident
 from ..canvas.lifted import LiftedView, lifted_view
-from ..canvas.photo import PhotoError, load_photo
+from ..canvas.photo import LARGE_PX, PhotoError, load_photo, photo_size
+from ..canvas.photo_loading import PhotoLoading
 from ..canvas.solved import Solved
 from ..canvas.view import sketch_size
 from ..features import pipeline
 from ..features.lifted_model import is_lifted_model
+from ..features.photo_change import replace_photo
 from ..features.plate_set import is_plate_set
 from ..features.shelled_solid import is_shelled_solid
 from ..problems import known_problems
+from .clipboard import photo_file
 from .lifting import Lifting
+from .messages import tell
+from .photo_plane import PhotoPlane
 from .shape_preview import ShapePreview
 from .sketch_tab import SketchTab
 
@@ -37,8 +42,10 @@ class SketchController:
         self.obj = obj
         self.document_name = obj.Document.Name
         graph = pipeline.graph_of(obj.Sketch)
-        self.tab = SketchTab(graph, _photo_of(obj), obj.Label)
+        self.tab = SketchTab(graph, None, obj.Label)
+        self.photo_loading = PhotoLoading(self.tab)
         self.preview = ShapePreview(self.document_name)
+        self.photo_plane = PhotoPlane(obj)
         self.lifting = Lifting(self.tab)
         #: The last lift: what it is of, and what came of it.
         self.lift: tuple[SketchGraph, Solution] | None = None
@@ -49,7 +56,11 @@ class SketchController:
         self.tab.view.undo_asked.connect(self.undo)
         self.tab.view.redo_asked.connect(self.redo)
         self.tab.view.graph_shown.connect(self._want)
+        self.tab.view.photo_given.connect(self.take_photo)
+        self.photo_loading.came.connect(self._take_photo_level)
+        self.photo_loading.failed.connect(host.report)
         self.lifting.lifted.connect(self._show_lift)
+        self._show_photo()
         self.show_outcome()
 
     def write(self, graph: SketchGraph, words: str) -> None:
@@ -94,12 +105,53 @@ class SketchController:
         elif name == "Sketch":
             self._show_sketch()
         elif name == "Photo":
-            size = sketch_size(self.tab.view.graph)
-            self.tab.view.set_photo(_photo_of(self.obj), size)
+            self._show_photo()
+
+    def take_photo(self, given: object) -> None:
+        """Put a photo that was dropped or pasted under the sketch."""
+        with photo_file(given) as path:
+            try:
+                replace_photo(self.obj, path, photo_size(path))
+            except PhotoError as error:
+                tell(str(error))
+
+    def _show_photo(self) -> None:
+        """Show the photo; a large one comes bit by bit."""
+        view, path = self.tab.view, self.obj.Photo
+        self.photo_loading.stop()
+        size = sketch_size(view.graph)
+        image = None
+        try:
+            width, height = photo_size(path) if path else (0, 0)
+            if width * height > LARGE_PX:
+                self.photo_loading.load(path)
+            elif path:
+                image = load_photo(path)
+        except PhotoError as error:
+            host.report(error)
+        view.set_photo(image, size)
+        self.photo_plane.take_photo(image)
+        self._stand_photo()
+
+    def _take_photo_level(self, image: QtGui.QImage) -> None:
+        is_first = not self.tab.view.has_photo
+        self.tab.view.add_photo_level(image)
+        if is_first:
+            self.photo_plane.take_photo(image)
+            self._stand_photo()
+
+    def _stand_photo(self) -> None:
+        """Put the photo behind the object in the 3D view."""
+        graph, solution = self.lift or (self.tab.view.graph, None)
+        self.photo_plane.stand(graph, solution)
 
     def _show_sketch(self) -> None:
         try:
-            self.tab.view.set_graph(pipeline.graph_of(self.obj.Sketch))
+            graph = pipeline.graph_of(self.obj.Sketch)
+            resized = sketch_size(graph) != sketch_size(self.tab.view.graph)
+            self.tab.view.set_graph(graph)
+            if resized and graph.photo is not None:
+                self._show_photo()
         except known_problems() as error:
             # A script may write anything: the tab goes on showing the last sketch.
             self.tab.show_outcome(str(error), good=False)
@@ -167,6 +219,7 @@ class SketchController:
             self.lift = (graph, solution)
             self._take_solved(graph, solution)
             self._show_solution(solution, in_hand=False)
+            self._stand_photo()
             self.tab.view.set_suggestions(evident(graph, solution))
         self._say_all(solution)
         self.on_news()
@@ -192,6 +245,7 @@ class SketchController:
     def close(self) -> None:
         """The tab goes: leave nothing behind in the 3D view."""
         self.lifting.forget()
+        self.photo_loading.stop()
         self.preview.hide()
 
     def _take_solved(self, graph: SketchGraph, solution: Solution) -> None:
@@ -206,13 +260,3 @@ def _dependents(obj: Any) -> list[Any]:
     models = [o for o in obj.InList if is_lifted_model(o)]
     made = [o for model in models for o in model.InList if is_plate_set(o) or is_shelled_solid(o)]
     return models + made
-
-
-def _photo_of(obj: Any) -> QtGui.QImage | None:
-    if not obj.Photo:
-        return None
-    try:
-        return load_photo(obj.Photo)
-    except PhotoError as error:
-        host.report(error)
-        return None

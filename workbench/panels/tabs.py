@@ -186,8 +186,11 @@ class _Observer:
 
     def slotDeletedDocument(self, document: Any) -> None:  # noqa: N802
         """A document goes; on FreeCAD 0.20 our tabs would outlive it."""
+        from . import view_through
+
         for key in [key for key in _open if key[0] == document.Name]:
             _close(key)
+        view_through.forget(document.Name)
 
 
 _OBSERVER = _Observer()

@@ -1,0 +1,106 @@
+"""Looking through the photo: FreeCAD's camera set to the solved one, and back again."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import FreeCAD
+
+from ..features import pipeline
+from .messages import tell
+from .photo_plane import depth_behind_mm
+from .shape_preview import view_3d_of
+from .tabs import show_tab
+
+if TYPE_CHECKING:
+    from ...solver.camera import Camera
+    from ...solver.graph import SketchGraph
+
+
+#: What makes up a view; not every kind of camera has all of these.
+_FIELDS = ("position", "orientation", "focalDistance", "heightAngle", "height", "aspectRatio")
+
+
+@dataclass(frozen=True, slots=True)
+class _Before:
+    """How the 3D view was: its camera, as texts of Coin's, and whether the photo was shown.
+
+    Not as FreeCAD writes a camera: its `setCamera` knows no angle of view.
+    """
+
+    camera_type: str
+    camera: dict[str, str]
+    photo_shown: bool
+
+
+#: By document and object.
+_before: dict[tuple[str, str], _Before] = {}
+
+
+def toggle_view_through(obj: Any) -> None:
+    """Look through the photo of a sketch, or as before."""
+    key = (obj.Document.Name, obj.Name)
+    view = view_3d_of(obj.Document.Name)
+    if view is None:
+        return
+    if key in _before:
+        _leave(obj, view, _before.pop(key))
+        return
+    graph, solution = pipeline.graph_of(obj.Sketch), pipeline.solution_of(obj.Sketch)
+    if solution.camera is None or not (solution.vertices_mm or solution.circles):
+        tell(solution.message)
+        return
+    _before[key] = _Before(view.getCameraType(), _fields(view), bool(obj.ViewObject.Visibility))
+    # The tab knows the photo, and puts it there.
+    show_tab(obj)
+    obj.ViewObject.Visibility = True
+    _look(view, solution.camera, _sides(graph), depth_behind_mm(solution))
+
+
+def _fields(view: Any) -> dict[str, str]:
+    """A view's camera."""
+    fields = {name: view.getCameraNode().getField(name) for name in _FIELDS}
+    return {name: field.get().getString() for name, field in fields.items() if field is not None}
+
+
+def _leave(obj: Any, view: Any, before: _Before) -> None:
+    view.setCameraType(before.camera_type)
+    for name, text in before.camera.items():
+        view.getCameraNode().getField(name).set(text)
+    obj.ViewObject.Visibility = before.photo_shown
+
+
+def forget(document_name: str) -> None:
+    """A document is gone."""
+    for key in [key for key in _before if key[0] == document_name]:
+        del _before[key]
+
+
+def _sides(graph: SketchGraph) -> tuple[float, float]:
+    """How far the photo reaches from its principal point, across and down, px."""
+    (u, v), photo = graph.principal_point_px, graph.photo
+    if photo is None:
+        return (abs(u), abs(v))
+    return (max(u, photo.width_px - u), max(v, photo.height_px - v))
+
+
+def _look(view: Any, camera: Camera, sides_px: tuple[float, float], depth_mm: float) -> None:
+    """Put the eye where the photo's camera stood, the whole photo in view."""
+    view.setCameraType("Perspective")
+    node = view.getCameraNode()
+    right, down, forward = camera.rotation_cam_from_world
+    axes = [FreeCAD.Vector(*map(float, axis)) for axis in (right, -down, -forward)]
+    node.position.setValue(*map(float, camera.position_mm))
+    node.orientation.setValue(*FreeCAD.Rotation(*axes, "ZXY").Q)
+    node.focalDistance.setValue(depth_mm)
+    node.heightAngle.setValue(_angle_rad(sides_px, camera.focal_px, view.getSize()))
+
+
+def _angle_rad(sides_px: tuple[float, float], focal_px: float, window_px: tuple[int, int]) -> float:
+    """The angle of view that takes in the photo; Coin's is that of the window's shorter side."""
+    across, down = (side / focal_px for side in sides_px)
+    ratio = window_px[0] / window_px[1]
+    slope = max(down, across / ratio) if ratio >= 1 else max(across, down * ratio)
+    return 2 * math.atan(slope)

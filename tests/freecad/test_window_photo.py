@@ -104,7 +104,7 @@ def test_photo_stands_where_the_camera_sees_it_in_place(controller):
 
 
 def test_view_through_the_photo_and_back(controller, view, document):
-    before = view.getCamera()
+    before = camera_of(view)
     FreeCADGui.runCommand("InContext_ViewThroughPhoto")
     pump(0.5)
     solution = pipeline.solution_of(controller.obj.Sketch)
@@ -117,7 +117,13 @@ def test_view_through_the_photo_and_back(controller, view, document):
     seen = np.subtract(*(on_screen(view, place) for place in places)) * (1, -1)
     assert drawn / np.linalg.norm(drawn) == pytest.approx(seen / np.linalg.norm(seen), abs=0.02)
     FreeCADGui.runCommand("InContext_ViewThroughPhoto")
-    assert view.getCamera() == before
+    assert camera_of(view) == before
+
+
+def camera_of(view):
+    """A view's camera, but for the clipping planes, which are found anew at each painting."""
+    lines = view.getCamera().splitlines()
+    return [line for line in lines if "nearDistance" not in line and "farDistance" not in line]
 
 
 def on_screen(view, place):

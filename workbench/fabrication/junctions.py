@@ -71,14 +71,25 @@ def junction_pieces(
     shared = ((members > 0).sum(axis=0) > 1) & ~claimed
     kept = _kept_by_runs(cells, runs)
     blocks = _blocks(cells, shared, claimed)
+    alone = _alone(cells, shared | claimed)
     pieces: list[Piece] = []
     for block in _grouped(blocks, shared):
         columns = _columns(cells, members, claimed, block, ranks)
-        chosen = _Search(cells, block, columns, kept, shared | claimed).best()
+        chosen = _Search(cells, block, columns, kept, alone).best()
         owners = {cell: column.wall for column in chosen for cell in column.cells}
         kept |= {column.spot: column in chosen for column in columns}
         pieces += _pieces(cells, block, columns, owners)
     return pieces
+
+
+def _alone(cells: Cells, busy: Flags) -> list[Flags]:
+    """For each wall where it is, with no other wall in its thickness there."""
+    result = []
+    for w, wall in enumerate(cells.walls):
+        turned = np.moveaxis(busy, (wall.axis, *wall.plane_axes), (0, 1, 2))
+        there = cells.full[w] | cells.partial[w]
+        result.append(there & ~turned[cells.spans[w]].any(axis=0))
+    return result
 
 
 def _grouped(blocks: NDArray[np.int_], shared: Flags) -> list[list[Place]]:
@@ -166,9 +177,9 @@ class _Search:
         block: Sequence[Place],
         columns: Sequence[_Column],
         kept: Mapping[Spot, bool],
-        busy: Flags,
+        alone: Sequence[Flags],
     ) -> None:
-        self.cells, self.columns, self.kept, self.busy = cells, columns, kept, busy
+        self.columns, self.kept, self.alone = columns, kept, alone
         self.sizes = [_volume(cells, place) for place in block]
         self.over = [[c for c in columns if n in c.cells] for n in range(len(block))]
         self.found: list[_Column] = []
@@ -222,12 +233,8 @@ class _Search:
         if spot in self.kept:
             return self.kept[spot]
         w, u, v = spot
-        full = self.cells.full[w] | self.cells.partial[w]
-        if not (0 <= u < full.shape[0] and 0 <= v < full.shape[1] and full[u, v]):
-            return False
-        wall = self.cells.walls[w]
-        busy = np.moveaxis(self.busy, (wall.axis, *wall.plane_axes), (0, 1, 2))
-        return not busy[self.cells.spans[w], u, v].any()
+        there = self.alone[w]
+        return bool(0 <= u < there.shape[0] and 0 <= v < there.shape[1] and there[u, v])
 
 
 def _volume(cells: Cells, place: Place) -> float:

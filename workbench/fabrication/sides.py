@@ -40,6 +40,11 @@ class _Barrier:
     axes: Array  # rows: two directions in the plane, then the normal
     rings: tuple[Array, ...]  # slightly enlarged, in the plane, (n, 2) each
 
+    @property
+    def extent(self) -> float:
+        """Area of the box around it, mm2."""
+        return float(np.prod(np.ptp(np.vstack(self.rings), axis=0)))
+
     def signed(self, points: Array) -> Array:
         return np.asarray((points - self.origin) @ self.axes[2])
 
@@ -73,6 +78,8 @@ def face_sides(faces: Mapping[str, Loops], made: Sequence[str]) -> dict[str, int
     size = float(np.linalg.norm(np.ptp(points, axis=0)))
     barriers = [_barrier(face, 1e-7 * size) for face in loops]
     barriers += [_barrier((cap,), 1e-7 * size) for cap in caps(loops, size)]
+    # Large ones first: they block most views, which the others need not look at then.
+    barriers.sort(key=lambda barrier: -barrier.extent)
     samples = {id_: _samples(faces[id_], 1e-4 * size) for id_ in made}
     nodes = np.vstack([*(pair.reshape(-1, 3) for pair in samples.values()), _between(points)])
     outside = _reached(nodes, _far(points, size), barriers)

@@ -20,12 +20,14 @@ from .annotations import Diameter, Length
 from .diagnosis import (
     Reading,
     Relaxed,
+    beginnings,
     contradicts,
     convict,
     find_clash,
     leftover_suspects,
     pose_near,
     relax,
+    spring_stiffness,
     without,
 )
 from .full import FullProblem, Pose
@@ -44,6 +46,8 @@ SUSPICIOUS = 12.0
 GROSS_RMS = 0.03
 #: Iterations from a shape that is known already.
 NEAR_ITERATIONS = 40
+#: Constraints whose residuals (radians, parts of a length) are below this hold.
+HELD = 1e-8
 #: Beyond these it is a tangle, no sketch: free coordinates, and numbers in their conditions' table.
 MAX_COORDINATES = 900
 MAX_NUMBERS = 500_000
@@ -86,11 +90,14 @@ class Blame:
         A sentence for people.
     held : bool
         Whether all annotations hold all the same, and only the drawing is not followed.
+    sure : bool
+        False where no shape was found yet that all annotations hold for, though there may be one.
     """
 
     ids: tuple[str, ...]
     message: str
     held: bool
+    sure: bool = True
 
 
 def reading_of(graph: SketchGraph, lifted: Candidate) -> Reading:
@@ -101,7 +108,8 @@ def reading_of(graph: SketchGraph, lifted: Candidate) -> Reading:
     held = int(np.linalg.matrix_rank(H, tol=1e-7)) if H.size else 0
     idle = full.idle_directions(x)
     turning = int(np.linalg.matrix_rank(idle)) if len(idle) else 0
-    misfit = FullProblem(full.problem, None).merit(x, 0.0)
+    # What does not hold counts as a spring that is drawn.
+    misfit = FullProblem(full.problem, None).merit(x, spring_stiffness(full.problem))
     return Reading(
         misfit=misfit / drawn_diagonal(full.problem) ** 2,
         n_observed=observed,
@@ -154,14 +162,20 @@ def find_blame(
     relaxed = relax(graph, lifted.problem, lifted.minimum.x, lost=lost)
     if relaxed is None:
         return None
-    tried = convict(
-        [(s.id, s.weight) for s in relaxed.suspects],
-        lambda id_: _reading_near(without(graph, id_), relaxed, stop),
-    )
+    shapes: dict[str, Near] = {}
+
+    def attempt(id_: str) -> Reading | None:
+        found = lift_near(without(graph, id_), relaxed, stop)
+        if found is None:
+            return None
+        shapes[id_] = found
+        return reading_of(without(graph, id_), found)
+
+    tried = convict([(s.id, s.weight) for s in relaxed.suspects], attempt)
     whole = reading_of(graph, lifted)
     against = [(id_, r) for id_, r in tried if contradicts(whole, r)]
     # With the right shape in sight, perhaps all annotations hold.
-    again = _reading_near(graph, relaxed, stop) if against else None
+    again = _reading_again(graph, shapes[against[0][0]], stop) if against else None
     if again is not None and again.misfit < whole.misfit:
         whole = again
         against = [(id_, r) for id_, r in against if contradicts(whole, r)]
@@ -193,7 +207,16 @@ def blame_for_clash(graph: SketchGraph, attempt: Callable[[str], Reading | None]
     return Blame(ids, f"{ids[0]} cannot hold{rest}: try removing {ids[0]}.", False)
 
 
-def _reading_near(graph: SketchGraph, near: Relaxed, stop: Stop) -> Reading | None:
+def _reading_again(graph: SketchGraph, other: Near, stop: Stop) -> Reading | None:
+    """All annotations, begun from a shape without one of them."""
+    x = other.minimum.x
+    in_cam = other.full.positions(x) @ x.R.T
+    near = Relaxed(in_cam, x.g[other.problem.structure.radius], x.log_focal, [])
+    found = lift_near(graph, near, stop)
+    return None if found is None else reading_of(graph, found)
+
+
+def lift_near(graph: SketchGraph, near: Relaxed, stop: Stop) -> Near | None:
     """The full step alone, begun from a shape that is known already."""
     structure = build_structure(graph)
     if structure.contradiction or structure.n_coordinates > MAX_COORDINATES:
@@ -204,8 +227,30 @@ def _reading_near(graph: SketchGraph, near: Relaxed, stop: Stop) -> Reading | No
     minimum = minimise(full, start, max_iterations=NEAR_ITERATIONS, enough=1e-6, stop=stop)
     if not np.isfinite(minimum.cost):
         return None
-    above = camera_above_ground(graph, problem, minimum.x)
-    return reading_of(graph, Near(problem, full, minimum, above))
+    return Near(problem, full, minimum, camera_above_ground(graph, problem, minimum.x))
+
+
+def is_settled(lifted: Candidate) -> bool:
+    """Whether the full step came to its end, with all annotations held."""
+    h, _ = lifted.full.constraints(lifted.minimum.x)
+    return lifted.minimum.converged and float(np.abs(h).max(initial=0.0)) < HELD
+
+
+def rescue(graph: SketchGraph, lifted: Candidate, stop: Stop) -> Near | None:
+    """A shape that all annotations hold for, where the usual way did not lead to one."""
+    best: tuple[float, Near] | None = None
+    for near in beginnings(graph, lifted.problem, lifted.minimum.x):
+        found = lift_near(graph, near, stop)
+        if stop():
+            break
+        if found is None or not is_settled(found):
+            continue
+        reading = reading_of(graph, found)
+        if reading.plausible and (best is None or reading.rms < best[0]):
+            best = (reading.rms, found)
+            if reading.rms < CLOSER_LOOK_RMS:
+                break
+    return None if best is None or best[0] > DOUBTFUL_RMS else best[1]
 
 
 def _or(ids: tuple[str, ...]) -> str:

@@ -95,9 +95,16 @@ class Report:
     reprojection_px : mapping of vertex id to px
         Distance between the drawn and the projected position.
     conflicts : tuple of annotation ids
-        Annotations that cannot all hold, the likeliest culprit first.
+        Annotations that cannot all hold or contradict the drawing, the likeliest culprit first.
     iterations : int
     solve_ms : float
+    focal_assumed : bool
+        True where the drawing does not tell the focal length and a usual one was assumed.
+    size_sigma : mapping of edge id to float
+        Standard error of each edge's length relative to all others', in parts. Empty where
+        something is left free.
+    unsure : bool
+        True where sizes are so uncertain that the shape may be quite different.
     """
 
     degrees_of_freedom: int = 0
@@ -107,6 +114,9 @@ class Report:
     conflicts: tuple[str, ...] = ()
     iterations: int = 0
     solve_ms: float = 0.0
+    focal_assumed: bool = False
+    size_sigma: Mapping[str, float] = field(default_factory=lambda: frozen_mapping({}))
+    unsure: bool = False
 
 
 @dataclass(frozen=True, slots=True, eq=False)

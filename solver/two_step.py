@@ -23,22 +23,28 @@ from .blaming import (
     Stop,
     blame_for_clash,
     find_blame,
+    is_settled,
     needs_a_closer_look,
     reading_of,
+    rescue,
 )
 from .circles import flat_circles
 from .diagnosis import (
+    UNSURE_SIZE_SIGMA,
     Freedoms,
     Reading,
     freedoms,
     size_of,
+    size_sigmas,
     unmet_annotations,
     without,
 )
 from .errors import SketchError
 from .faces import find_faces
+from .full import EXIF_LOG_SIGMA, FocalPrior, FullProblem
 from .graph import SketchGraph
-from .lifting import Lifted, lift
+from .least_squares import minimise
+from .lifting import USUAL, Lifted, is_unsure_of_focal, lift
 from .on_found_faces import solve_on_found_faces
 from .placed import put_in_world
 from .problem import build_problem
@@ -51,6 +57,8 @@ from .values import Array
 
 #: A solve ends after so many seconds.
 MAX_SOLVE_S = 3.0
+#: Said where the standard errors of sizes are large.
+UNSURE = " Its sizes are unsure: mark more, give a length, or trace something real in the photo."
 #: A drawing further than this from every shape (image units, RMS) was not understood.
 LOST_MISFIT = 0.25
 
@@ -168,7 +176,7 @@ def _lift_or_blame(
 ) -> tuple[Lifted | None, Blame | None]:
     """The shape, or where an annotation contradicts the drawing grossly the shape without it."""
     lifted = lift(core, structure, stop, wary=True)
-    if lifted is None or not (lifted.doubtful or needs_a_closer_look(core, lifted)):
+    if lifted is None or _is_fine(core, lifted):
         return lifted, None
     blamed = None
     for lost in (False, True)[lifted.doubtful :]:
@@ -179,7 +187,30 @@ def _lift_or_blame(
     if other is not None and not other.doubtful:
         return other, blamed
     # What was found at first sight only is finished.
-    return (lift(core, structure, stop) if lifted.doubtful else lifted), blamed
+    lifted = lift(core, structure, stop) if lifted.doubtful else lifted
+    if lifted is not None and not is_settled(lifted):
+        lifted = _rescued(core, lifted, stop)
+    return lifted, blamed
+
+
+def _is_fine(core: SketchGraph, lifted: Lifted) -> bool:
+    return not lifted.doubtful and is_settled(lifted) and not needs_a_closer_look(core, lifted)
+
+
+def _rescued(core: SketchGraph, lifted: Lifted, stop: Stop) -> Lifted:
+    """Reached in another way, with what is known of the focal length."""
+    near = rescue(core, lifted, stop)
+    if near is None:
+        return lifted
+    full, x, assumed = near.full, near.minimum.x, False
+    known = near.problem.log_focal_prior
+    if known is None and is_unsure_of_focal(full, x):
+        assumed = True
+        full = FullProblem(near.problem, USUAL)
+    elif known is not None and near.problem.camera is None:
+        full = FullProblem(near.problem, FocalPrior(known, EXIF_LOG_SIGMA))
+    minimum = minimise(full, x, near=True, stop=stop)
+    return Lifted(near.problem, full, minimum, near.above, assumed)
 
 
 def _describe(
@@ -193,10 +224,16 @@ def _describe(
     open_ = freedoms(lifted.full, pose, [*core.vertices, *core.circles])
     extent = np.array([*vertices.values(), *(c.center_mm for c in circles.values())])
     conflicts = unmet_annotations(residuals, size_of(extent.reshape(-1, 3)))
+    sigmas = size_sigmas(lifted.full, pose) if not open_.count else np.zeros(0)
+    unsure = bool(np.sqrt(np.mean(sigmas**2)) > UNSURE_SIZE_SIGMA) if len(sigmas) else False
     status, message = _verdict(lifted, open_, conflicts)
+    if status is Status.CONVERGED and unsure:
+        message += UNSURE
     if blamed is not None:
         conflicts, message = blamed.ids, blamed.message
         status = status if blamed.held else Status.CONFLICTING
+    elif status is Status.NOT_CONVERGED:
+        conflicts = ()
     return Solution(
         graph.digest,
         status,
@@ -214,6 +251,9 @@ def _describe(
             reprojection_px=placed.reprojection_px(graph),
             conflicts=conflicts,
             iterations=lifted.minimum.iterations,
+            focal_assumed=lifted.focal_assumed,
+            size_sigma=dict(zip(core.edges, sigmas.tolist(), strict=False)),
+            unsure=unsure,
         ),
     )
 
@@ -237,6 +277,12 @@ def _with_copies(graph: SketchGraph, vertices: Mapping[str, Array]) -> tuple[Geo
 
 
 def _verdict(lifted: Lifted, open_: Freedoms, conflicts: tuple[str, ...]) -> tuple[Status, str]:
+    if conflicts and not lifted.minimum.converged:
+        return (
+            Status.NOT_CONVERGED,
+            "No shape was found in which all annotations hold: mark more right angles, "
+            f"parallels or ground vertices, or check {_and(conflicts[:4])}.",
+        )
     if conflicts:
         return (
             Status.CONFLICTING,

@@ -55,6 +55,7 @@ DATA_SIDE = {
     "rounds",
     "listing",
     "geometry",
+    "counts",
 }
 
 

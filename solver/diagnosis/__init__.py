@@ -4,14 +4,16 @@ from .again import pose_near
 from .blame import Reading, contradicts, convict
 from .clashes import clashing_annotations, find_clash, without
 from .freedoms import Freedoms, freedoms
-from .precision import focal_sigma
-from .suspects import Relaxed, leftover_suspects, relax
+from .precision import UNSURE_SIZE_SIGMA, focal_sigma, size_sigmas
+from .suspects import Relaxed, beginnings, leftover_suspects, relax, spring_stiffness
 from .unmet import size_of, unmet_annotations
 
 __all__ = [
+    "UNSURE_SIZE_SIGMA",
     "Freedoms",
     "Reading",
     "Relaxed",
+    "beginnings",
     "clashing_annotations",
     "contradicts",
     "convict",
@@ -22,6 +24,8 @@ __all__ = [
     "pose_near",
     "relax",
     "size_of",
+    "size_sigmas",
+    "spring_stiffness",
     "unmet_annotations",
     "without",
 ]

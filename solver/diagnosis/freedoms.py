@@ -76,4 +76,6 @@ def _loose(full: FullProblem, x: Pose, null: Array, names: list[str]) -> tuple[s
     steps = np.round(growth / max(float(np.abs(growth).max(initial=0.0)), 1e-300), 5)
     _, part, sizes = np.unique(steps, axis=0, return_inverse=True, return_counts=True)
     part = part.reshape(-1)
-    return tuple(n for n, p in zip(names, part, strict=True) if p != int(np.argmax(sizes)))
+    # Of equally large parts, the one that was drawn first stands still.
+    still = part[int(np.argmax(sizes[part]))]
+    return tuple(n for n, p in zip(names, part, strict=True) if p != still)

@@ -8,6 +8,12 @@ from ..full import FullProblem, Pose
 from ..values import Array
 from .freedoms import NULL_TOLERANCE
 
+#: How people draw (RMS of a vertex, in parts of the drawing's diagonal), and for how many observed
+#: numbers that knowledge counts beside the misfit of the drawing at hand.
+USUAL_SIGMA, USUAL_COUNT = 0.01, 6
+#: The result is unsure where sizes are less certain than this (RMS over the edges).
+UNSURE_SIZE_SIGMA = 0.1
+
 
 def focal_sigma(full: FullProblem, x: Pose) -> float:
     """Standard error of the log focal length, from the drawing's own misfit."""
@@ -27,6 +33,48 @@ def focal_sigma(full: FullProblem, x: Pose) -> float:
     variance = noise * float(np.sum(share**2 / np.maximum(values, floor)))
     # d log f = -f d kappa
     return float(np.exp(x.log_focal) * np.sqrt(variance))
+
+
+def size_sigmas(full: FullProblem, x: Pose) -> Array:
+    """Standard errors of the edges' lengths relative to the mean of all, in parts, (m,).
+
+    The error of a drawn position is taken to be what people usually have, corrected by the misfit
+    of this drawing: with s0 for how people draw, counted nu times,
+    s^2 = (nu s0^2 + |r|^2) / (nu + spare). The covariance of the unknowns is s^2 (J^T J)^-1 in the
+    directions that keep the constraints.
+    """
+    ends = full.problem.ends
+    if not len(ends):
+        return np.zeros(0)
+    at = full.evaluate(x)
+    N = tangent(at.H)
+    A = N.T @ at.A @ N
+    values, vectors = np.linalg.eigh(A)
+    kept = values > 1e-13 * float(values.max())
+    by_length = _by_log_length(full, x) @ N @ vectors
+    by_length -= by_length.mean(axis=0)
+    if float(np.abs(by_length[:, ~kept]).max(initial=0.0)) > 1e-6 * float(np.abs(by_length).max()):
+        return np.full(len(ends), np.inf)
+    points = np.vstack([full.problem.points, full.problem.circles.centres])
+    usual = (USUAL_SIGMA * float(np.linalg.norm(np.ptp(points, axis=0)))) ** 2 / 2
+    spare = max(0, 2 * full.n_vertices - N.shape[1] + 1)
+    misfit = full.merit(x, 0.0)
+    variance = (USUAL_COUNT * usual + misfit) / (USUAL_COUNT + spare)
+    return np.asarray(np.sqrt(variance * (by_length[:, kept] ** 2 / values[kept]).sum(axis=1)))
+
+
+def _by_log_length(full: FullProblem, x: Pose) -> Array:
+    """Derivatives of the logarithms of the edges' lengths by (omega, kappa, g), (m, 4 + g)."""
+    ends, coordinate = full.problem.ends, full.coordinate
+    X = full.positions(x)
+    u = X[ends[:, 1]] - X[ends[:, 0]]
+    u = u / np.maximum((u**2).sum(axis=1), 1e-300)[:, None]
+    D = np.zeros((len(ends), 4 + full.m))
+    rows = np.arange(len(ends))
+    for k in range(3):
+        np.add.at(D, (rows, 4 + coordinate[ends[:, 1], k]), u[:, k])
+        np.add.at(D, (rows, 4 + coordinate[ends[:, 0], k]), -u[:, k])
+    return D
 
 
 def tangent(H: Array) -> Array:

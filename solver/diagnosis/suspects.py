@@ -14,7 +14,7 @@ gain
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -35,6 +35,10 @@ SPRING_SIGMA = 0.02
 SOFT_FOCAL_SIGMA = 0.7
 #: Springs drawn further than this yield.
 YIELD = 2 * SPRING_SIGMA
+#: Where all annotations are to be reached, stiff springs pull from afar and soft ones do not jam.
+YIELDS, LONG_ITERATIONS = (5 * YIELD, YIELD, 100 * YIELD), 15
+#: With so many unknowns only the first of these is tried, for the sake of time.
+MANY_UNKNOWNS = 100
 #: Iterations to compare beginnings, and to go on from the best one; views of each beginning.
 FIRST_ITERATIONS, ITERATIONS, VIEWS = 4, 6, 3
 #: Which kinds of annotations have a say in where the soft problem begins: one false one spoils all
@@ -91,18 +95,32 @@ def relax(graph: SketchGraph, problem: Problem, pose: Pose, *, lost: bool) -> Re
     if 3 * n_points > MAX_UNKNOWNS:
         full = FullProblem(problem, None)
         return _told(full, pose, leftover_suspects(graph, full, pose))
-    soft = _soften(graph, problem)
+    soft = softened(graph, problem)
     owners = row_owners(graph, soft)
     stiffness = spring_stiffness(problem)
     begun = [begin(soft.problem, problem.structure, pose)]
     if lost:
         begun += other_beginnings(graph, soft.problem)
-    springs = _Springs(soft, stiffness)
+    springs = _Springs(soft, stiffness, YIELD)
     tried = [springs.relaxed(x, FIRST_ITERATIONS) for x in begun if x is not None]
     if not tried:
         return None
     x, _ = springs.relaxed(min(tried, key=lambda t: t[1])[0], ITERATIONS)
     return _told(soft, x, weigh(soft, x, owners, stiffness))
+
+
+def beginnings(graph: SketchGraph, problem: Problem, pose: Pose) -> Iterator[Relaxed]:
+    """Shapes from which all annotations may be reached, the nearest first, for each yield."""
+    unknowns = 3 * (len(problem.points) + len(problem.circles))
+    if unknowns > MAX_UNKNOWNS:
+        return
+    soft = softened(graph, problem)
+    begun = [begin(soft.problem, problem.structure, pose), *other_beginnings(graph, soft.problem)]
+    for strain in YIELDS if unknowns < MANY_UNKNOWNS else YIELDS[:1]:
+        springs = _Springs(soft, spring_stiffness(problem), strain)
+        tried = [springs.relaxed(x, LONG_ITERATIONS) for x in begun if x is not None]
+        for x, _ in sorted(tried, key=lambda t: t[1])[:2]:
+            yield _told(soft, x, [])
 
 
 def _told(full: FullProblem, x: Pose, found: list[Suspect]) -> Relaxed:
@@ -125,7 +143,7 @@ def spring_stiffness(problem: Problem) -> float:
     return float((drawn / SPRING_SIGMA) ** 2)
 
 
-def _soften(graph: SketchGraph, problem: Problem) -> FullProblem:
+def softened(graph: SketchGraph, problem: Problem) -> FullProblem:
     """The soft problem: no coordinate is shared."""
     tied = problem.structure
     n = len(problem.points) + len(problem.circles)
@@ -183,13 +201,14 @@ class _Springs:
 
     soft: FullProblem
     stiffness: float
+    strain: float
 
     def relaxed(self, x: Pose, iterations: int) -> tuple[Pose, float]:
         """A few steps of Levenberg-Marquardt on |r|^2 + s sum log(1 + h^2 / c^2) c^2."""
         at, mu = self.soft.evaluate(x), 1e-3
         energy = self._energy(x, at.h)
         for _ in range(iterations):
-            A, b = _normal(at, self.stiffness / (1 + (at.h / YIELD) ** 2))
+            A, b = _normal(at, self.stiffness / (1 + (at.h / self.strain) ** 2))
             diagonal = np.diag(A)
             A[np.diag_indices(len(A))] += mu * (diagonal + 1e-6 * float(diagonal.max()))
             step = np.asarray(-np.linalg.solve(A, b), dtype=np.float64)
@@ -206,7 +225,7 @@ class _Springs:
         return x, energy
 
     def _energy(self, x: Pose, h: Array) -> float:
-        springs = float(np.log1p((h / YIELD) ** 2).sum()) * YIELD**2
+        springs = float(np.log1p((h / self.strain) ** 2).sum()) * self.strain**2
         return self.soft.merit(x, 0.0) + self.stiffness * springs
 
 

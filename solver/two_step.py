@@ -41,10 +41,11 @@ from .diagnosis import (
 )
 from .errors import SketchError
 from .faces import find_faces
+from .focal_prior import USUAL
 from .full import EXIF_LOG_SIGMA, FocalPrior, FullProblem
 from .graph import SketchGraph
 from .least_squares import minimise
-from .lifting import USUAL, Lifted, is_unsure_of_focal, lift
+from .lifting import Lifted, is_unsure_of_focal, lift
 from .on_found_faces import solve_on_found_faces
 from .placed import put_in_world
 from .problem import build_problem

@@ -10,6 +10,7 @@ from scenes import LID, SHAPES, bookshelf, box, l_shape, photograph, photograph_
 
 from incontext.solver import parameter_counts, redundant_annotations, solve
 from incontext.solver.annotations import Length
+from incontext.solver.solution import Status
 from incontext.solver.structure import build_structure
 from incontext.solver.synthetic import Hand
 
@@ -85,14 +86,18 @@ def test_standard_errors_are_about_the_errors():
     assert 0.6 < np.sqrt(np.mean(np.square(ratios))) < 1.6
 
 
-@pytest.mark.parametrize("seed", [10, 22, 24, 57, 58])
-def test_a_shape_that_is_far_off_is_marked_as_unsure(seed):
-    hand = Hand(0.003, (3.0, 10.0), 0.05)
-    photo = photograph(SHAPES[seed % 9](), np.random.default_rng(80000 + seed), hand=hand)
-    solution = solve(photo.graph)
-    assert photo.error(solution.vertices_mm) > 0.12
-    assert solution.report.unsure
-    assert "unsure" in solution.message
+def test_shapes_that_are_far_off_are_marked_as_unsure():
+    unsure = 0
+    for seed in range(40):
+        hand = Hand(0.03, (3.0, 10.0), 0.05)
+        photo = photograph(SHAPES[seed % 6](), np.random.default_rng(seed), hand=hand)
+        solution = solve(photo.graph)
+        unsure += solution.report.unsure
+        if solution.status is Status.CONVERGED and not solution.report.unsure:
+            assert photo.error(solution.vertices_mm) < 0.25
+        if solution.report.unsure and solution.report.conflicts == ():
+            assert "unsure" in solution.message or solution.status is not Status.CONVERGED
+    assert 0 < unsure < 40
 
 
 def test_a_plain_drawing_is_not_marked_as_unsure():

@@ -71,6 +71,8 @@ class Lifted:
         Whether the focal length is a usual one, the drawing not telling it.
     doubtful : bool
         Whether only a first look was taken, since it missed the drawing by far.
+    twofold : bool
+        Whether another reading fits as well.
     """
 
     problem: Problem
@@ -79,6 +81,7 @@ class Lifted:
     above: bool
     focal_assumed: bool = False
     doubtful: bool = False
+    twofold: bool = False
 
 
 def lift(
@@ -272,9 +275,14 @@ def _preferred(graph: SketchGraph, found: list[Lifted]) -> list[Lifted]:
 
 def _surprise(graph: SketchGraph, c: Lifted) -> float:
     """Minus twice the log likelihood: of the drawing, its noise unknown, and of the lean."""
-    spare = max(1, 2 * c.full.n_vertices - c.full.m - 3)
+    spare = spare_numbers(c.full)
     leaning = min(lean(graph, c.problem, c.minimum.x) / USUAL_LEAN, 1e3)
     return spare * float(np.log(c.minimum.cost + 1e-24)) + leaning**2
+
+
+def spare_numbers(full: FullProblem) -> int:
+    """How many drawn numbers there are beyond those that a reading needs."""
+    return max(1, 2 * full.n_vertices - full.m - 3)
 
 
 def _is_exact(lifted: Lifted) -> bool:

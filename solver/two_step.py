@@ -46,6 +46,7 @@ from .full import EXIF_LOG_SIGMA, FocalPrior, FullProblem
 from .graph import SketchGraph
 from .least_squares import minimise
 from .lifting import Lifted, is_unsure_of_focal, lift
+from .necker import fits_as_well, twin_of
 from .on_found_faces import solve_on_found_faces
 from .placed import put_in_world
 from .problem import build_problem
@@ -55,6 +56,7 @@ from .solution import Report, Solution, Status
 from .structure import Structure, build_structure
 from .symmetry import Geometry, mirrored
 from .values import Array
+from .world import ground_indices
 
 #: A solve ends after so many seconds.
 MAX_SOLVE_S = 3.0
@@ -64,7 +66,7 @@ UNSURE = " Its sizes are unsure: mark more, give a length, or trace something re
 LOST_MISFIT = 0.25
 
 
-def solve(graph: SketchGraph, *, stop: Stop | None = None) -> Solution:
+def solve(graph: SketchGraph, *, stop: Stop | None = None, twin: bool = False) -> Solution:
     """Lift a sketch graph to 3D and find the camera.
 
     Parameters
@@ -72,6 +74,8 @@ def solve(graph: SketchGraph, *, stop: Stop | None = None) -> Solution:
     graph : SketchGraph
     stop : callable, optional
         Asked now and then; True ends the solve with what there is (status ``not_converged``).
+    twin : bool
+        Give the other reading of the drawing, near and far exchanged, if there is one.
 
     Returns
     -------
@@ -81,7 +85,9 @@ def solve(graph: SketchGraph, *, stop: Stop | None = None) -> Solution:
     began = time.perf_counter()
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
         try:
-            solution = solve_on_found_faces(graph, partial(_solve, stop=_with_deadline(stop)))
+            solution = solve_on_found_faces(
+                graph, partial(_solve, stop=_with_deadline(stop), twin=twin)
+            )
         except np.linalg.LinAlgError:
             solution = _lost(graph)
     if not solution.is_bounded:
@@ -90,7 +96,7 @@ def solve(graph: SketchGraph, *, stop: Stop | None = None) -> Solution:
     return replace(solution, report=replace(solution.report, solve_ms=elapsed))
 
 
-def _solve(graph: SketchGraph, stop: Stop) -> Solution:
+def _solve(graph: SketchGraph, stop: Stop, *, twin: bool = False) -> Solution:
     nothing = _nothing_to_lift(graph)
     if nothing is not None:
         return Solution(graph.digest, Status.UNDERDETERMINED, nothing)
@@ -107,7 +113,18 @@ def _solve(graph: SketchGraph, stop: Stop) -> Solution:
     lifted, blamed = _lift_or_blame(core, structure, stop)
     if lifted is None:
         return _lost(graph)
-    return _describe(graph, core, lifted, blamed)
+    return _describe(graph, core, _reading_asked_for(core, lifted, twin=twin), blamed)
+
+
+def _reading_asked_for(core: SketchGraph, lifted: Lifted, *, twin: bool) -> Lifted:
+    """The first or the second of two readings, and whether nothing decides between them."""
+    if lifted.doubtful or (ground_indices(core) and not twin):
+        return lifted
+    other = twin_of(core, lifted)
+    if other is None:
+        return lifted
+    twofold = fits_as_well(core, other, lifted)
+    return replace(other if twin else lifted, twofold=twofold)
 
 
 def _too_free(graph: SketchGraph, what: str) -> Solution:
@@ -301,6 +318,12 @@ def _verdict(lifted: Lifted, open_: Freedoms, conflicts: tuple[str, ...]) -> tup
         return (
             Status.NOT_CONVERGED,
             "The drawing and the annotations are too far apart: check the annotations.",
+        )
+    if lifted.twofold:
+        return (
+            Status.CONVERGED,
+            "Solved, but a second shape, with near and far exchanged, fits as well: mark what "
+            "stands on the ground, or ask for the twin.",
         )
     if not lifted.above:
         return (Status.CONVERGED, "Solved, but seen from below: check the ground vertices.")

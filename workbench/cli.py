@@ -9,6 +9,7 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -112,6 +113,11 @@ def _add_solve(commands: Any) -> None:
         default=METHODS[0],
         help="which solver: ours (default), the paper's own or Lipson's, both slow",
     )
+    command.add_argument(
+        "--twin",
+        action="store_true",
+        help="the drawing's other reading, near and far exchanged (ours only)",
+    )
 
 
 def _add_check(commands: Any) -> None:
@@ -203,18 +209,18 @@ def _solve(arguments: argparse.Namespace) -> int:
     problem = photo_problem(graph, arguments.sketch)
     if problem:
         _complain(f"warning: {problem}")
-    solution = _solver(arguments.method)(graph)
+    solution = _solver(arguments.method, twin=arguments.twin)(graph)
     beside = arguments.sketch.with_name(name_of(arguments.sketch) + ".solution.json")
     output = arguments.output or beside
     write_files({output: _solution_text(solution)})
     return _verdict(solution)
 
 
-def _solver(method: str) -> Callable[..., Solution]:
+def _solver(method: str, *, twin: bool) -> Callable[..., Solution]:
     from ..solver import solve
     from ..solver.reference import METHODS as REFERENCES
 
-    return solve if method == METHODS[0] else REFERENCES[method]
+    return partial(solve, twin=twin) if method == METHODS[0] else REFERENCES[method]
 
 
 def _bench(arguments: argparse.Namespace) -> int:

@@ -27,12 +27,15 @@ class Placed:
     circles : mapping of circle id to SolvedCircle
     camera : Camera
     scale_assumed : bool
+    camera_off_mm : float
+        How far a known camera had to be moved for the given lengths.
     """
 
     vertices: Mapping[str, Array]
     circles: Mapping[str, SolvedCircle]
     camera: Camera
     scale_assumed: bool
+    camera_off_mm: float
 
     def reprojection_px(self, graph: SketchGraph) -> dict[str, float]:
         """Distance between each drawn and projected vertex, px."""
@@ -66,6 +69,7 @@ def put_in_world(graph: SketchGraph, core: SketchGraph, problem: Problem, pose: 
         circles,
         _camera(graph, problem, pose, placement),
         placement.scale_assumed,
+        placement.camera_off_mm,
     )
 
 

@@ -28,6 +28,7 @@ from .blaming import (
     reading_of,
     rescue,
 )
+from .camera import Camera
 from .circles import flat_circles
 from .diagnosis import (
     UNSURE_SIZE_SIGMA,
@@ -62,6 +63,8 @@ from .world import ground_indices
 MAX_SOLVE_S = 3.0
 #: Said where the standard errors of sizes are large.
 UNSURE = " Its sizes are unsure: mark more, give a length, or trace something real in the photo."
+#: A camera this part of its height off is worth a word.
+NEARLY_AGREE = 1e-3
 #: A drawing further than this from every shape (image units, RMS) was not understood.
 LOST_MISFIT = 0.25
 
@@ -247,6 +250,8 @@ def _describe(
     status, message = _verdict(lifted, open_, conflicts)
     if status is Status.CONVERGED and unsure:
         message += UNSURE
+    if status is Status.CONVERGED and core.camera is not None:
+        message += _off_camera(placed.camera_off_mm, core.camera)
     if blamed is not None:
         conflicts, message = blamed.ids, blamed.message
         status = status if blamed.held else Status.CONFLICTING
@@ -273,6 +278,17 @@ def _describe(
             size_sigma=dict(zip(core.edges, sigmas.tolist(), strict=False)),
             unsure=unsure,
         ),
+    )
+
+
+def _off_camera(off_mm: float, camera: Camera) -> str:
+    """What is said where the given lengths and a known camera disagree."""
+    part = off_mm / max(abs(float(camera.position_mm[2])), 1e-300)
+    if part < NEARLY_AGREE:
+        return ""
+    return (
+        f" The given lengths put the camera {off_mm:.3g} mm ({100 * part:.2g} %) off its known "
+        "height: check the length, the camera, and what stands on the ground."
     )
 
 

@@ -26,6 +26,8 @@ from .topology import topology_of
 from .values import Array
 
 ASSUMED_LONGEST_MM = 100.0
+#: A length and a known camera that differ by less than this part agree.
+AGREE = 1e-9
 #: What is deeper in the ground than this part of the object's size is not there by chance.
 SUNK = 0.05
 
@@ -34,7 +36,8 @@ SUNK = 0.05
 class Placement:
     """The move from object axes (eye at the origin) to the world.
 
-    ``x_world = scale * rotation_world_from_object @ c + translation_mm``
+    ``x_world = scale * rotation_world_from_object @ c + translation_mm``. `camera_off_mm` is how
+    far that puts a known camera from where it was said to be.
     """
 
     rotation_world_from_object: Array
@@ -42,6 +45,7 @@ class Placement:
     translation_mm: Array
     scale_assumed: bool
     camera_kept: bool = False
+    camera_off_mm: float = 0.0
 
     def to_world(self, c: Array) -> Array:
         """World positions (n, 3), mm."""
@@ -190,18 +194,21 @@ def _place_under_camera(
 ) -> Placement:
     """The world is the known camera's; its height over the ground tells the size.
 
-    Given lengths come first; then the camera keeps its pose but for its distance.
+    Given lengths come first; where they disagree with it the camera is put higher or lower.
     """
     assert problem.camera is not None
     W = problem.camera.rotation_cam_from_world.T @ pose.R
     below = -float((pose.g[problem.structure.coordinate][ground_indices(core)] @ W[2]).mean())
     eye = problem.camera.position_mm
     scale, assumed = _scale(graph, lifted)
-    kept = assumed and below > 0 and float(eye[2]) > 0
-    if kept:
-        scale = float(eye[2]) / below
-        return Placement(W, scale, eye, False, True)
-    return Placement(W, scale, np.array([eye[0], eye[1], scale * below]), assumed)
+    if below > 0 and float(eye[2]) > 0:
+        by_camera = float(eye[2]) / below
+        if assumed:
+            return Placement(W, by_camera, eye, False, True)
+        if abs(scale - by_camera) <= AGREE * by_camera:
+            return Placement(W, scale, eye, False, True)
+    moved = np.array([eye[0], eye[1], scale * below])
+    return Placement(W, scale, moved, assumed, camera_off_mm=float(abs(moved[2] - eye[2])))
 
 
 def _axes(problem: Problem, pose: Pose, up: Array) -> Array:

@@ -10,6 +10,7 @@ from asserts import assert_annotations_hold, assert_solved
 from scenes import LID, bookshelf, box, photograph, photograph_turned, v
 
 from incontext.solver import solve
+from incontext.solver.annotations import Length
 
 
 @pytest.mark.parametrize("make", [box, bookshelf])
@@ -43,6 +44,34 @@ def test_lengths_come_before_the_cameras_height():
     assert_annotations_hold(solution, 200.0)
     focal = solution.camera.focal_px
     assert focal == pytest.approx(photo.camera.focal_px, rel=1e-12)
+
+
+@pytest.mark.parametrize("make", [box, bookshelf])
+def test_a_length_and_the_camera_hold_together_where_they_agree(make):
+    photo = photograph(make(), np.random.default_rng(4))
+    solution = solve(replace(photo.graph, camera=photo.camera))
+    assert_solved(solution)
+    assert_annotations_hold(solution, 200.0)
+    assert "camera" not in solution.message
+    np.testing.assert_allclose(
+        solution.camera.translation_cam_from_world_mm,
+        photo.camera.translation_cam_from_world_mm,
+        rtol=1e-8,
+    )
+    found = np.array([solution.vertices_mm[v(i)] for i in range(len(photo.shape.X))])
+    np.testing.assert_allclose(found, photo.shape.X, atol=1e-6)
+
+
+def test_a_length_that_disagrees_with_the_camera_holds_and_says_how_far():
+    shape = box()
+    said = {**shape.annotations, "length": Length("e0", 220.0)}  # 10 % too long
+    photo = photograph(replace(shape, annotations=said), np.random.default_rng(4))
+    solution = solve(replace(photo.graph, camera=photo.camera))
+    assert_solved(solution)
+    X = solution.vertices_mm
+    assert np.linalg.norm(X["v1"] - X["v0"]) == pytest.approx(220.0, abs=1e-6)
+    off = 0.1 * photo.camera.position_mm[2]
+    assert f"{off:.3g} mm (10 %)" in solution.message
 
 
 def test_a_lid_under_a_known_camera():

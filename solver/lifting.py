@@ -24,7 +24,9 @@ from .graph import SketchGraph
 from .initial import Start, lift_linear, starts
 from .least_squares import ENOUGH, EXACT_COST, Minimum, minimise
 from .problem import Problem, build_problem
+from .solution import Solution
 from .structure import Structure
+from .warm_start import pose_from
 from .world import camera_above_ground, ground_indices, lean
 
 #: Views that are carried on to the full step.
@@ -93,9 +95,7 @@ def lift(
     """
     problem = build_problem(graph, structure)
     known = problem.log_focal_prior
-    is_prior = known is not None and problem.camera is None
-    prior = FocalPrior(known, EXIF_LOG_SIGMA) if known is not None and is_prior else None
-    best = _best(graph, problem, prior, stop, wary=wary)
+    best = _best(graph, problem, _told(problem), stop, wary=wary)
     if known is not None or (best is not None and best.doubtful):
         return best
     if best is None or is_unsure_of_focal(best.full, best.minimum.x):
@@ -109,6 +109,34 @@ def lift(
             return free
         return replace(_as_expected(graph, assumed, USUAL, stop), focal_assumed=True)
     return _as_expected(graph, best, None, stop)
+
+
+def lift_near(
+    graph: SketchGraph, structure: Structure, start: Solution, stop: Stop | None
+) -> Lifted | None:
+    """The full step alone, from a solution that is known; None where that leads nowhere good."""
+    problem = build_problem(graph, structure)
+    pose = pose_from(start, graph, problem)
+    if pose is None:
+        return None
+    full = FullProblem(problem, _told(problem))
+    minimum = minimise(full, pose, max_iterations=MAX_ITERATIONS, stop=stop)
+    above = camera_above_ground(graph, problem, minimum.x)
+    near = Lifted(problem, full, minimum, above)
+    if not above or not minimum.converged:
+        return None
+    if problem.log_focal_prior is not None:
+        return near
+    unsure = is_unsure_of_focal(full, minimum.x)
+    return replace(_as_expected(graph, near, USUAL if unsure else None, stop), focal_assumed=unsure)
+
+
+def _told(problem: Problem) -> FocalPrior | None:
+    """The focal length that the photo's file tells; a known camera's is no unknown."""
+    known = problem.log_focal_prior
+    if known is None or problem.camera is not None:
+        return None
+    return FocalPrior(known, EXIF_LOG_SIGMA)
 
 
 def _as_expected(

@@ -46,7 +46,7 @@ from .focal_prior import USUAL
 from .full import EXIF_LOG_SIGMA, FocalPrior, FullProblem
 from .graph import SketchGraph
 from .least_squares import minimise
-from .lifting import Lifted, is_unsure_of_focal, lift
+from .lifting import Lifted, is_unsure_of_focal, lift, lift_near
 from .necker import fits_as_well, twin_of
 from .on_found_faces import solve_on_found_faces
 from .placed import put_in_world
@@ -69,12 +69,21 @@ NEARLY_AGREE = 1e-3
 LOST_MISFIT = 0.25
 
 
-def solve(graph: SketchGraph, *, stop: Stop | None = None, twin: bool = False) -> Solution:
+def solve(
+    graph: SketchGraph,
+    *,
+    start: Solution | None = None,
+    stop: Stop | None = None,
+    twin: bool = False,
+) -> Solution:
     """Lift a sketch graph to 3D and find the camera.
 
     Parameters
     ----------
     graph : SketchGraph
+    start : Solution, optional
+        Of this sketch before some small change (a vertex moved, a length edited): where it leads
+        to a good shape, that one is taken and no other view is looked for.
     stop : callable, optional
         Asked now and then; True ends the solve with what there is (status ``not_converged``).
     twin : bool
@@ -88,9 +97,8 @@ def solve(graph: SketchGraph, *, stop: Stop | None = None, twin: bool = False) -
     began = time.perf_counter()
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
         try:
-            solution = solve_on_found_faces(
-                graph, partial(_solve, stop=_with_deadline(stop), twin=twin)
-            )
+            once = partial(_solve, start=start, stop=_with_deadline(stop), twin=twin)
+            solution = solve_on_found_faces(graph, once)
         except np.linalg.LinAlgError:
             solution = _lost(graph)
     if not solution.is_bounded:
@@ -99,7 +107,7 @@ def solve(graph: SketchGraph, *, stop: Stop | None = None, twin: bool = False) -
     return replace(solution, report=replace(solution.report, solve_ms=elapsed))
 
 
-def _solve(graph: SketchGraph, stop: Stop, *, twin: bool = False) -> Solution:
+def _solve(graph: SketchGraph, start: Solution | None, stop: Stop, *, twin: bool) -> Solution:
     nothing = _nothing_to_lift(graph)
     if nothing is not None:
         return Solution(graph.digest, Status.UNDERDETERMINED, nothing)
@@ -113,6 +121,9 @@ def _solve(graph: SketchGraph, stop: Stop, *, twin: bool = False) -> Solution:
     if conditions * structure.n_coordinates > MAX_NUMBERS:
         n = structure.n_coordinates
         return _too_free(graph, f"{conditions} conditions on {n} coordinates are left")
+    near = None if start is None else lift_near(core, structure, start, stop)
+    if near is not None and not needs_a_closer_look(core, near):
+        return _describe(graph, core, _reading_asked_for(core, near, twin=twin))
     lifted, blamed = _lift_or_blame(core, structure, stop)
     if lifted is None:
         return _lost(graph)

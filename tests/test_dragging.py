@@ -142,3 +142,23 @@ def test_no_pose_for_what_the_solution_does_not_know():
         translation_cam_from_world_mm=-solution.camera.translation_cam_from_world_mm,
     )
     assert pose_from(replace(solution, camera=behind), graph, problem) is None
+
+
+def test_a_changed_length_starts_from_the_last_shape():
+    shape = box()
+    said = {**shape.annotations, "high": Length("e8", 120.0)}
+    graph = photograph(replace(shape, annotations=said), np.random.default_rng(3)).graph
+    before = solve(graph)
+    taller = replace(graph, annotations={**said, "high": Length("e8", 150.0)})
+    near, cold = solve(taller, start=before), solve(taller)
+    assert_annotations_hold(near, 200.0)
+    assert greatest_difference(near, cold) < 1e-6
+    assert near.report.iterations <= cold.report.iterations
+
+
+def test_a_start_that_leads_nowhere_is_left():
+    graph = photograph(box(), np.random.default_rng(3)).graph
+    other = solve(photograph(box(90, 300, 40), np.random.default_rng(20)).graph)
+    assert greatest_difference(solve(graph, start=other), solve(graph)) < 1e-9
+    nothing = solve(SketchGraph())
+    assert greatest_difference(solve(graph, start=nothing), solve(graph)) == 0.0

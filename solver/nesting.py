@@ -51,7 +51,7 @@ def smallest_around(walk: Walk, positions: Array, areas: Array, candidates: Bool
 
 def _contains(polygon: Array, points: Array) -> BoolArray:
     """Whether each point (k, 2) is inside, by the crossing number."""
-    a, b = polygon, np.roll(polygon, -1, axis=0)
+    a, b = polygon, polygon[np.arange(1, len(polygon) + 1) % len(polygon)]
     x, y = points[:, :1], points[:, 1:]
     crosses = (a[:, 1] > y) != (b[:, 1] > y)
     with np.errstate(divide="ignore", invalid="ignore"):

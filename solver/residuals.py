@@ -40,7 +40,10 @@ def annotation_residuals(
     X = np.array([vertices_mm[v] for v in graph.vertices], dtype=float).reshape(-1, 3)
     values = plan.measure(X)
     for place, annotation in plan.others:
-        values[place] = _measure(annotation, graph, vertices_mm, faces, circles)
+        values[place] = _measure(annotation, graph, vertices_mm, circles)
+    if plan.on_faces:
+        places, off = _off_faces(plan.on_faces, faces, vertices_mm)
+        values[places] = off
     told = np.isfinite(values)
     if told.all():
         return Residuals(plan.ids, values, plan.units)
@@ -82,7 +85,7 @@ class _Plan:
     parallels, equals : groups of edges
     ground : groups of vertices
     length_places, length_edges, lengths_mm : (k,) arrays
-    others : annotations with their places
+    on_faces, others : annotations with their places
     """
 
     ids: tuple[str, ...]
@@ -96,6 +99,7 @@ class _Plan:
     length_places: IntArray
     length_edges: IntArray
     lengths_mm: Array
+    on_faces: tuple[tuple[int, OnFace], ...]
     others: tuple[tuple[int, Annotation], ...]
 
     def measure(self, X: Array) -> Array:
@@ -146,7 +150,8 @@ def _plan(topology: Topology, annotations: Mapping[str, Annotation]) -> _Plan:
         length_places=np.array([k for k, _ in lengths], dtype=np.int64),
         length_edges=np.array([edges[a.edge] for _, a in lengths], dtype=np.int64),
         lengths_mm=np.array([a.length_mm for _, a in lengths], dtype=float),
-        others=tuple((k, a) for k, a in said if isinstance(a, Diameter | SymmetryPlane | OnFace)),
+        on_faces=tuple((k, a) for k, a in said if isinstance(a, OnFace)),
+        others=tuple((k, a) for k, a in said if isinstance(a, Diameter | SymmetryPlane)),
     )
 
 
@@ -171,19 +176,15 @@ def _measure(
     annotation: Annotation,
     graph: SketchGraph,
     at: Mapping[str, Array],
-    faces: Mapping[str, Face],
     circles: Mapping[str, SolvedCircle],
 ) -> float:
-    """The residual of an annotation of which a sketch has few; NaN where there is none."""
+    """The residual of an annotation of which a sketch has few."""
     if isinstance(annotation, Diameter):
         return abs(2 * circles[annotation.circle].radius_mm - annotation.diameter_mm)
     if isinstance(annotation, SymmetryPlane):
         edges = [graph.edges[e] for e in annotation.midpoints_of]
         return _off_middle(np.array([[at[v], at[w]] for v, w in edges]))
-    if isinstance(annotation, OnFace) and annotation.face in faces:
-        corners = np.array([at[v] for v in faces[annotation.face].loop])
-        return _off_plane(at[annotation.vertex], corners)
-    return float("nan")
+    raise TypeError(f"no residual of {annotation.kind}")
 
 
 def _off_middle(ends: Array) -> float:
@@ -194,7 +195,21 @@ def _off_middle(ends: Array) -> float:
     return float(np.abs((middles - middles[0]) @ normal).max())
 
 
-def _off_plane(point: Array, corners: Array) -> float:
-    middle = corners.mean(axis=0)
-    normal = np.linalg.svd(corners - middle)[2][2]
-    return abs(float((point - middle) @ normal))
+def _off_faces(
+    said: Sequence[tuple[int, OnFace]], faces: Mapping[str, Face], at: Mapping[str, Array]
+) -> tuple[list[int], list[float]]:
+    """How far vertices are off their faces' planes; left out where there is no such face."""
+    by_size: dict[int, list[tuple[int, OnFace]]] = {}
+    for place, a in said:
+        if a.face in faces:
+            by_size.setdefault(len(faces[a.face].loop), []).append((place, a))
+    places: list[int] = []
+    off: list[float] = []
+    for group in by_size.values():
+        corners = np.array([[at[v] for v in faces[a.face].loop] for _, a in group])
+        middles = corners.mean(axis=1)
+        normals = np.linalg.svd(corners - middles[:, None])[2][:, 2]
+        points = np.array([at[a.vertex] for _, a in group])
+        places += [place for place, _ in group]
+        off += np.abs(np.einsum("ki,ki->k", points - middles, normals)).tolist()
+    return places, off

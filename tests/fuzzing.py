@@ -9,6 +9,7 @@ anything but a SketchError or a finite solution, or took too long; `--first N --
 from __future__ import annotations
 
 import argparse
+import copy
 import itertools
 import json
 import math
@@ -340,11 +341,11 @@ def replace_somewhere(rng: random.Random, body: dict) -> None:
         if what < 0.2:
             del place[key]
         elif what < 0.3 and isinstance(place, dict):
-            place[rng.choice(["x", "v1", "e1", "holes", "ä"])] = place[key]
+            place[rng.choice(["x", "v1", "e1", "holes", "ä"])] = copy.deepcopy(place[key])
         elif what < 0.5 and isinstance(place[key], int | float):
             place[key] *= rng.choice([-1, 0, 1e-9, 1e3, 1e9])
         else:
-            place[key] = rng.choice(EXTREMES)
+            place[key] = copy.deepcopy(rng.choice(EXTREMES))
         return
 
 

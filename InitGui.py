@@ -13,6 +13,7 @@ class InContextWorkbench(FreeCADGui.Workbench):
     def __init__(self):
         from incontext.workbench import host
 
+        host.load_translations()
         cls = self.__class__
         cls.MenuText = "Modeling in Context"
         cls.ToolTip = host.translate(
@@ -22,14 +23,17 @@ class InContextWorkbench(FreeCADGui.Workbench):
 
     def Initialize(self):  # noqa: N802  FreeCAD's name
         """Make the commands, the toolbar and the menu."""
+        from incontext.workbench import host
         from incontext.workbench.commands import register_commands
         from incontext.workbench.commands.tools import register_tools
 
         names, tools = register_commands(), register_tools()
-        self.appendToolbar("Modeling in Context", names)
-        self.appendToolbar("Sketch tools", tools)
-        self.appendMenu("Modeling in &Context", names)
-        self.appendMenu(["Modeling in &Context", "Sketch &tools"], tools)
+        ours = host.translate("InContext", "Modeling in &Context")
+        sketching = host.translate("InContext", "Sketch &tools")
+        self.appendToolbar(host.translate("InContext", "Modeling in Context"), names)
+        self.appendToolbar(host.translate("InContext", "Sketch tools"), tools)
+        self.appendMenu(ours, names)
+        self.appendMenu([ours, sketching], tools)
 
     def Activated(self):  # noqa: N802
         """Nothing to do; FreeCAD asks for it."""

@@ -23,11 +23,30 @@ ROOT = Path(__file__).resolve().parent.parent
 _PREFERENCES = "User parameter:BaseApp/Preferences/Mod/InContext"
 
 
-def translate(context: str, text: str) -> str:
-    """The text in the person's language, or as it stands where there is no translation."""
+#: Under what our translations are filed. One for all: a word of ours means one thing.
+CONTEXT = "InContext"
+
+
+def translate(_: str, text: str) -> str:
+    """The text in the person's language, or as it stands where there is no translation.
+
+    Parameters
+    ----------
+    _ : str
+        Where the text is from, as FreeCAD's tools read it; our own are all filed together.
+    text : str
+    """
     if FreeCAD is None or not hasattr(FreeCAD, "Qt"):
         return text
-    return str(FreeCAD.Qt.translate(context, text))
+    return str(FreeCAD.Qt.translate(CONTEXT, text))
+
+
+def load_translations() -> None:
+    """Make our languages known to FreeCAD's window."""
+    import FreeCADGui
+
+    FreeCADGui.addLanguagePath(resource("translations"))
+    FreeCADGui.updateLocale()
 
 
 def resource(*parts: str) -> str:

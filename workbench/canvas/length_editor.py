@@ -44,7 +44,7 @@ class LengthEditor(QtGui.QLineEdit):
         """Ask, at a place on the screen."""
         self._question = question
         self._show_fault("")
-        self.setPlaceholderText(_EXAMPLES[question.about])
+        self.setPlaceholderText(self._view().in_words(_EXAMPLES[question.about]))
         self.setText("" if question.said_mm is None else exact_text(question.said_mm))
         self.selectAll()
         area = self.parentWidget().rect()
@@ -69,7 +69,7 @@ class LengthEditor(QtGui.QLineEdit):
         try:
             length = parse_length(text) if text else None
         except ValueError as error:
-            self._show_fault(str(error))
+            self._show_fault(self._view().in_words(str(error)))
             return
         self.close_unsaid()
         if self._question is not None:

@@ -32,6 +32,8 @@ class AnnotationPanel(QtGui.QWidget):
         super().__init__()
         self.controller: SketchController | None = None
         self._listed: tuple[object, ...] = ()
+        self._followed: tuple[object, frozenset[str]] = (None, frozenset())
+        self._follows = host.translate("InContext", "Follows from the others")
         self._list = _List()
         self._list.itemSelectionChanged.connect(self._select_in_sketch)
         self._list.itemChanged.connect(self._take_size)
@@ -101,23 +103,36 @@ class AnnotationPanel(QtGui.QWidget):
     def _judge(self, report: Report | None) -> None:
         """Write each annotation's residual; what disagrees in red."""
         bad = () if report is None else report.conflicts
-        idle = () if report is None else getattr(report, "redundant", ())
+        idle = self._idle()
         for row in self._list.rows():
             id_ = row.data(WHAT, _ID)
             residual = None if report is None else report.residuals.get(id_)
             row.setText(OFF, texts.residual_text(residual))
             row.setTextAlignment(OFF, _Qt.AlignRight | _Qt.AlignVCenter)
-            colour = self._colour(is_bad=id_ in bad, is_idle=id_ in idle)
+            colour = self._colour(is_bad=id_ in bad)
+            row.setToolTip(OFF, self._follows if id_ in idle else "")
             for column in (WHAT, SIZE, OFF):
                 row.setForeground(column, colour)
 
-    def _colour(self, *, is_bad: bool, is_idle: bool) -> QtGui.QBrush:
+    def _idle(self) -> frozenset[str]:
+        """The annotations that follow from the others: in a complete sketch that is most of them,
+        so that it is told by a tooltip and not by a colour."""
+        from ...solver.diagnosis.redundancy import redundant_annotations
+
+        view = None if self.controller is None else self.controller.tab.view
+        lift = None if self.controller is None else self.controller.lift
+        if view is None or lift is None or view.is_in_hand:
+            return frozenset()
+        if self._followed[0] is not lift[0]:
+            self._followed = (lift[0], frozenset(redundant_annotations(*lift)))
+        return self._followed[1]
+
+    def _colour(self, *, is_bad: bool) -> QtGui.QBrush:
         palette = self.palette()
         if is_bad:
             dark = palette.color(QtGui.QPalette.Base).lightness() < 128
             return QtGui.QBrush(QtGui.QColor("#ff7b72" if dark else "#c01c28"))
-        group = QtGui.QPalette.Disabled if is_idle else QtGui.QPalette.Active
-        return QtGui.QBrush(palette.color(group, QtGui.QPalette.Text))
+        return QtGui.QBrush(palette.color(QtGui.QPalette.Text))
 
     def _say_the_rest(self) -> None:
         """How the solve went, suggestions, and the counts of parameters."""

@@ -28,6 +28,7 @@ from .messages import tell
 from .photo_plane import PhotoPlane
 from .shape_preview import ShapePreview
 from .sketch_tab import SketchTab
+from .wording import in_language
 
 if TYPE_CHECKING:
     from ...solver.graph import SketchGraph
@@ -198,7 +199,9 @@ class SketchController:
         self.preview.hide()
 
     def _say(self, solution: Solution) -> None:
-        self.tab.show_outcome(solution.message, good=solution.status.value == "converged")
+        self.tab.show_outcome(
+            in_language(solution.message), good=solution.status.value == "converged"
+        )
 
     def _stored_graph(self) -> SketchGraph | None:
         try:
@@ -230,17 +233,27 @@ class SketchController:
         if not bad and solution is not None and solution.status.value != "converged":
             bad = [solution.message]
         if bad:
-            self.tab.show_outcome(bad[0], good=False)
+            self.tab.show_outcome(in_language(bad[0]), good=False)
             return
         words = [o.Message for o in objects[1:]]
         if not words:
             words = [self.obj.Message if solution is None else solution.message]
-        joined = " \N{MIDDLE DOT} ".join(w.rstrip(".") for w in words if w)
+        words = [in_language(w) for w in words]
+        joined = " \N{MIDDLE DOT} ".join(w.rstrip(".\N{IDEOGRAPHIC FULL STOP}") for w in words if w)
         self.tab.show_outcome(joined, good=True)
 
     def parameter_words(self) -> str:
         """How many numbers the solve has to find."""
-        return ""
+        from ...solver import parameter_counts
+
+        try:
+            counts = parameter_counts(self.tab.view.graph)
+        except known_problems():
+            return ""
+        if not counts.before:
+            return ""
+        words = host.translate("InContext", "Unknowns: {} before, {} with what is true")
+        return words.format(counts.before, counts.after)
 
     def close(self) -> None:
         """The tab goes: leave nothing behind in the 3D view."""

@@ -1,0 +1,993 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>InContext</name>
+    <message>
+        <source>210, 21 cm, 3/4 in</source>
+        <translation>210, 21 cm, 3/4 in</translation>
+    </message>
+    <message>
+        <source>3, 0.5 cm, 1/8 in</source>
+        <translation>3, 0.5 cm, 1/8 in</translation>
+    </message>
+    <message>
+        <source>90, 9 cm, 3/4 in</source>
+        <translation>90, 9 cm, 3/4 in</translation>
+    </message>
+    <message>
+        <source>A bookshelf drawn over a photo of a desk, all the way to its plates</source>
+        <translation>Ein Bücherregal, über das Foto eines Tisches gezeichnet, bis hin zu den Platten</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>Alle Dateien</translation>
+    </message>
+    <message>
+        <source>All vertices lie on one line: draw edges in at least two directions.</source>
+        <translation>Alle Punkte liegen auf einer Linie: bitte Kanten in mindestens zwei Richtungen zeichnen.</translation>
+    </message>
+    <message>
+        <source>Annotations</source>
+        <translation>Angaben</translation>
+    </message>
+    <message>
+        <source>As the rectangle, with four equal sides</source>
+        <translation>Wie das Rechteck, mit vier gleichen Seiten</translation>
+    </message>
+    <message>
+        <source>Between two plates</source>
+        <translation>Zwischen zwei Platten</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Change circle</source>
+        <translation>Kreis ändern</translation>
+    </message>
+    <message>
+        <source>Change construction</source>
+        <translation>Hilfsgeometrie umschalten</translation>
+    </message>
+    <message>
+        <source>Choose a folder for the plates</source>
+        <translation>Ordner für die Platten wählen</translation>
+    </message>
+    <message>
+        <source>Choose a photo</source>
+        <translation>Foto wählen</translation>
+    </message>
+    <message>
+        <source>Choose a sketch</source>
+        <translation>Skizze wählen</translation>
+    </message>
+    <message>
+        <source>Choose the photo of the place where the new object will live; it is kept inside the document</source>
+        <translation>Das Foto des Ortes wählen, an dem das neue Objekt stehen wird; es wird im Dokument gespeichert</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>Click a vertex that touches a face</source>
+        <translation>Einen Punkt anklicken, der eine Fläche berührt</translation>
+    </message>
+    <message>
+        <source>Click a vertex, then the middle of the face that it touches</source>
+        <translation>Einen Punkt anklicken, dann die Mitte der Fläche, die er berührt</translation>
+    </message>
+    <message>
+        <source>Click along the side, up to the edge of the top circle; Enter or right click ends</source>
+        <translation>Entlang der Seite klicken, bis zum Rand des oberen Kreises; Enter oder Rechtsklick beendet</translation>
+    </message>
+    <message>
+        <source>Click an angle near its corner, or inside a quadrilateral for all four</source>
+        <translation>Einen Winkel nahe seiner Ecke anklicken, oder in ein Viereck für alle vier</translation>
+    </message>
+    <message>
+        <source>Click an angle that is a right one, or inside a quadrilateral for all four</source>
+        <translation>Einen rechten Winkel anklicken, oder in ein Viereck für alle vier</translation>
+    </message>
+    <message>
+        <source>Click an edge or a circle and type its size: 210, 21 cm or 3/4 in</source>
+        <translation>Kante oder Kreis anklicken und das Maß eingeben: 210, 21 cm oder 3/4 in</translation>
+    </message>
+    <message>
+        <source>Click an edge or a circle, type its size (210, 21 cm, 3/4 in); empty removes it</source>
+        <translation>Kante oder Kreis anklicken, Maß eingeben (210, 21 cm, 3/4 in); leer entfernt es</translation>
+    </message>
+    <message>
+        <source>Click edges that are equally long, then Enter or right click</source>
+        <translation>Gleich lange Kanten anklicken, dann Enter oder Rechtsklick</translation>
+    </message>
+    <message>
+        <source>Click edges that are equally long, then press Enter</source>
+        <translation>Gleich lange Kanten anklicken, dann Enter</translation>
+    </message>
+    <message>
+        <source>Click edges that are parallel, then Enter or right click</source>
+        <translation>Parallele Kanten anklicken, dann Enter oder Rechtsklick</translation>
+    </message>
+    <message>
+        <source>Click edges that are parallel, then press Enter</source>
+        <translation>Parallele Kanten anklicken, dann Enter</translation>
+    </message>
+    <message>
+        <source>Click in the middle of a face and type how thick its plate is</source>
+        <translation>In die Mitte einer Fläche klicken und die Dicke ihrer Platte eingeben</translation>
+    </message>
+    <message>
+        <source>Click in the middle of a face that stays open, such as the front of a shelf</source>
+        <translation>In die Mitte einer Fläche klicken, die offen bleibt, etwa die Front eines Regals</translation>
+    </message>
+    <message>
+        <source>Click in the middle of a face that stays open; click again to close it</source>
+        <translation>In die Mitte einer Fläche klicken, die offen bleibt; nochmals klicken schließt sie</translation>
+    </message>
+    <message>
+        <source>Click in the middle of a face, type its thickness and Enter; empty: as the others</source>
+        <translation>In die Mitte einer Fläche klicken, Dicke eingeben, Enter; leer: wie die anderen</translation>
+    </message>
+    <message>
+        <source>Click in the middle of the face that it touches; Esc to give up</source>
+        <translation>In die Mitte der Fläche klicken, die er berührt; Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Click or box to select, drag to move; drop a vertex on another one to merge them</source>
+        <translation>Klick oder Rahmen wählt aus, Ziehen verschiebt; ein Punkt auf einem anderen wird mit ihm vereint</translation>
+    </message>
+    <message>
+        <source>Click or box to select; drag vertices, edges, circles and their grips to move them</source>
+        <translation>Klick oder Rahmen wählt aus; Punkte, Kanten, Kreise und ihre Griffe lassen sich ziehen</translation>
+    </message>
+    <message>
+        <source>Click the box's left corner on the ground</source>
+        <translation>Linke Ecke des Quaders am Boden anklicken</translation>
+    </message>
+    <message>
+        <source>Click the corner above the front one</source>
+        <translation>Ecke über der vorderen anklicken</translation>
+    </message>
+    <message>
+        <source>Click the corner above the left one</source>
+        <translation>Ecke über der linken anklicken</translation>
+    </message>
+    <message>
+        <source>Click the corner above the right one</source>
+        <translation>Ecke über der rechten anklicken</translation>
+    </message>
+    <message>
+        <source>Click the end of the line; right click stops; Ctrl: no snapping, Shift: crossings</source>
+        <translation>Ende der Linie anklicken; Rechtsklick beendet; Strg: ohne Fang, Umschalt: Kreuzungen</translation>
+    </message>
+    <message>
+        <source>Click the front corner on the ground</source>
+        <translation>Vordere Ecke am Boden anklicken</translation>
+    </message>
+    <message>
+        <source>Click the middle of an edge that the plane halves; Shift-click picks one by one</source>
+        <translation>Die Mitte einer Kante anklicken, die die Ebene halbiert; Umschalt-Klick wählt einzeln</translation>
+    </message>
+    <message>
+        <source>Click the middle of an edge that the plane halves; what is hidden behind is added</source>
+        <translation>Die Mitte einer Kante anklicken, die die Ebene halbiert; Verdecktes wird ergänzt</translation>
+    </message>
+    <message>
+        <source>Click the right corner on the ground</source>
+        <translation>Rechte Ecke am Boden anklicken</translation>
+    </message>
+    <message>
+        <source>Click the seven corners that are seen of a box, such as a book in the photo; as construction it gives the perspective</source>
+        <translation>Die sieben sichtbaren Ecken eines Quaders anklicken, etwa eines Buches im Foto; als Hilfsgeometrie gibt er die Perspektive</translation>
+    </message>
+    <message>
+        <source>Click the start of the line, or drag</source>
+        <translation>Anfang der Linie anklicken oder ziehen</translation>
+    </message>
+    <message>
+        <source>Click the upper corner at the back; X then makes the box construction</source>
+        <translation>Obere hintere Ecke anklicken; X macht den Quader dann zur Hilfsgeometrie</translation>
+    </message>
+    <message>
+        <source>Click vertices, edges or the middle of a face that stand on the ground, or box them</source>
+        <translation>Punkte, Kanten oder die Mitte einer Fläche anklicken, die auf dem Boden stehen, oder Rahmen ziehen</translation>
+    </message>
+    <message>
+        <source>Click what stands on the ground: vertices, edges, the middle of a face; or box them</source>
+        <translation>Anklicken, was auf dem Boden steht: Punkte, Kanten, die Mitte einer Fläche; oder Rahmen ziehen</translation>
+    </message>
+    <message>
+        <source>Click where the side begins, at the edge of the bottom circle</source>
+        <translation>Anklicken, wo die Seite beginnt, am Rand des unteren Kreises</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Delete annotation</source>
+        <translation>Angabe löschen</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>Diameter of circle {}</source>
+        <translation>Durchmesser des Kreises {}</translation>
+    </message>
+    <message>
+        <source>Diameter of the round cutter, for the corner relief</source>
+        <translation>Durchmesser des Fräsers für die Eckfreistiche</translation>
+    </message>
+    <message>
+        <source>Drag a box around a horizontal circle as it is seen: its ellipse fills the box</source>
+        <translation>Rahmen um einen waagrechten Kreis ziehen, wie er im Foto erscheint: seine Ellipse füllt den Rahmen</translation>
+    </message>
+    <message>
+        <source>Drag a box around a horizontal circle as it is seen; pull its four grips afterwards</source>
+        <translation>Rahmen um einen waagrechten Kreis ziehen, wie er erscheint; danach an den vier Griffen ziehen</translation>
+    </message>
+    <message>
+        <source>Drag from one corner of the rectangle to the opposite one; move corners afterwards</source>
+        <translation>Von einer Ecke des Rechtecks zur gegenüberliegenden ziehen; Ecken danach verschieben</translation>
+    </message>
+    <message>
+        <source>Drag the bottom circle of the new object, or click one that is drawn</source>
+        <translation>Den unteren Kreis des neuen Objekts ziehen oder einen gezeichneten anklicken</translation>
+    </message>
+    <message>
+        <source>Drag the circle where it stands on the ground or table, or click one that is drawn</source>
+        <translation>Den Kreis ziehen, mit dem es auf Boden oder Tisch steht, oder einen gezeichneten anklicken</translation>
+    </message>
+    <message>
+        <source>Drag the rectangle: it lies level; press the key again to turn it upright</source>
+        <translation>Rechteck ziehen: es liegt waagrecht; Taste nochmals stellt es auf</translation>
+    </message>
+    <message>
+        <source>Drag the rectangle: it stands upright; press the key again for any corners</source>
+        <translation>Rechteck ziehen: es steht aufrecht; Taste nochmals für beliebige Ecken</translation>
+    </message>
+    <message>
+        <source>Drag the rectangle: it stands upright; press the key again to turn it</source>
+        <translation>Rechteck ziehen: es steht aufrecht; Taste nochmals dreht es</translation>
+    </message>
+    <message>
+        <source>Drag the top circle of the new object, or click one that is drawn</source>
+        <translation>Den oberen Kreis des neuen Objekts ziehen oder einen gezeichneten anklicken</translation>
+    </message>
+    <message>
+        <source>Drag to move, Delete to remove, X for construction; Shift-click adds</source>
+        <translation>Ziehen verschiebt, Entf löscht, X macht zur Hilfsgeometrie; Umschalt-Klick fügt hinzu</translation>
+    </message>
+    <message>
+        <source>Draw a new object over one photo, get a 3D shape and plates to cut</source>
+        <translation>Ein neues Objekt über ein Foto zeichnen; heraus kommen eine 3D-Form und Platten zum Schneiden</translation>
+    </message>
+    <message>
+        <source>Draw box</source>
+        <translation>Quader zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw circle</source>
+        <translation>Kreis zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw line</source>
+        <translation>Linie zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw rectangle</source>
+        <translation>Rechteck zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw side</source>
+        <translation>Seite zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw square</source>
+        <translation>Quadrat zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw straight edges, click after click or one with each drag</source>
+        <translation>Gerade Kanten zeichnen, Klick um Klick oder je eine mit einem Zug</translation>
+    </message>
+    <message>
+        <source>Draw the ground, bottom and top circle, then the side from bottom to top</source>
+        <translation>Boden-, unteren und oberen Kreis zeichnen, dann die Seite von unten nach oben</translation>
+    </message>
+    <message>
+        <source>Draw the new object over the photo: press L for lines, R for rectangles</source>
+        <translation>Das neue Objekt über das Foto zeichnen: L für Linien, R für Rechtecke</translation>
+    </message>
+    <message>
+        <source>Edit sketch</source>
+        <translation>Skizze bearbeiten</translation>
+    </message>
+    <message>
+        <source>Equal length</source>
+        <translation>Gleich lang</translation>
+    </message>
+    <message>
+        <source>Equal lengths</source>
+        <translation>Gleiche Längen</translation>
+    </message>
+    <message>
+        <source>Export a PDF in true size too</source>
+        <translation>Auch ein PDF in wahrer Größe ausgeben</translation>
+    </message>
+    <message>
+        <source>Export a fit test with these settings too</source>
+        <translation>Auch eine Passprobe mit diesen Einstellungen ausgeben</translation>
+    </message>
+    <message>
+        <source>Export plates...</source>
+        <translation>Platten exportieren …</translation>
+    </message>
+    <message>
+        <source>Export the parts list too</source>
+        <translation>Auch die Stückliste ausgeben</translation>
+    </message>
+    <message>
+        <source>Faces are known once the sketch is solved: the line below says what is missing</source>
+        <translation>Flächen sind bekannt, sobald die Skizze gelöst ist: die Zeile unten sagt, was fehlt</translation>
+    </message>
+    <message>
+        <source>Follows from the others</source>
+        <translation>Folgt aus den anderen</translation>
+    </message>
+    <message>
+        <source>For the parts list; 0 for unknown</source>
+        <translation>Für die Stückliste; 0 für unbekannt</translation>
+    </message>
+    <message>
+        <source>For the time, in mm/s</source>
+        <translation>Für die Zeit, in mm/s</translation>
+    </message>
+    <message>
+        <source>Free border of a sheet</source>
+        <translation>Freier Rand eines Bogens</translation>
+    </message>
+    <message>
+        <source>Full width that the beam removes; changes the cut paths only, never the plates</source>
+        <translation>Volle Breite, die der Strahl wegnimmt; ändert nur die Schnittwege, nie die Platten</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>How far the triangles of exported files may leave curved surfaces</source>
+        <translation>Wie weit die Dreiecke exportierter Dateien von krummen Flächen abweichen dürfen</translation>
+    </message>
+    <message>
+        <source>How many plates there are</source>
+        <translation>Wie viele Platten es gibt</translation>
+    </message>
+    <message>
+        <source>How much wider a slot is than the finger that goes into it</source>
+        <translation>Um wie viel ein Schlitz breiter ist als der Finger darin</translation>
+    </message>
+    <message>
+        <source>How strong the photo is: fade it to see the lines</source>
+        <translation>Wie kräftig das Foto ist: abschwächen, um die Linien zu sehen</translation>
+    </message>
+    <message>
+        <source>How the last recompute ended</source>
+        <translation>Wie die letzte Neuberechnung endete</translation>
+    </message>
+    <message>
+        <source>How the plates are joined at each edge</source>
+        <translation>Wie die Platten an jeder Kante verbunden sind</translation>
+    </message>
+    <message>
+        <source>How wide fingers should be</source>
+        <translation>Wie breit Finger sein sollen</translation>
+    </message>
+    <message>
+        <source>Import sketch</source>
+        <translation>Skizze importieren</translation>
+    </message>
+    <message>
+        <source>Import sketch...</source>
+        <translation>Skizze importieren …</translation>
+    </message>
+    <message>
+        <source>In which order the plates go together</source>
+        <translation>In welcher Reihenfolge die Platten zusammenkommen</translation>
+    </message>
+    <message>
+        <source>Include face</source>
+        <translation>Fläche einschließen</translation>
+    </message>
+    <message>
+        <source>Install</source>
+        <translation>Installieren</translation>
+    </message>
+    <message>
+        <source>Installing ...</source>
+        <translation>Wird installiert …</translation>
+    </message>
+    <message>
+        <source>Its sizes are unsure: mark more, give a length, or trace something real in the photo.</source>
+        <translation>Die Maße sind unsicher: mehr angeben, eine Länge nennen oder etwas Wirkliches im Foto nachzeichnen.</translation>
+    </message>
+    <message>
+        <source>Layers and colours in files: a shop's or program's name, or your own .json file</source>
+        <translation>Ebenen und Farben in Dateien: Name eines Dienstes oder Programms, oder eine eigene .json-Datei</translation>
+    </message>
+    <message>
+        <source>Leave face out</source>
+        <translation>Fläche auslassen</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Auslassen</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Length, diameter</source>
+        <translation>Länge, Durchmesser</translation>
+    </message>
+    <message>
+        <source>Let go, or click, at the opposite corner of the box; Esc to give up</source>
+        <translation>An der gegenüberliegenden Ecke des Rahmens loslassen oder klicken; Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Let go, or click, at the opposite corner; Esc to give up</source>
+        <translation>An der gegenüberliegenden Ecke loslassen oder klicken; Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Lift to 3D</source>
+        <translation>In 3D heben</translation>
+    </message>
+    <message>
+        <source>Lifted model</source>
+        <translation>Gehobenes Modell</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Linie</translation>
+    </message>
+    <message>
+        <source>Look at the 3D model from where the photo was taken, with the photo behind it; once more brings the old view back</source>
+        <translation>Das 3D-Modell von dort sehen, wo das Foto gemacht wurde, mit dem Foto dahinter; nochmals bringt die alte Ansicht zurück</translation>
+    </message>
+    <message>
+        <source>Make finger-jointed plates of the sketch; thickness, fingers, play and kerf are properties of the result</source>
+        <translation>Fingerverzinkte Platten aus der Skizze machen; Dicke, Finger, Spiel und Schnittfuge sind Eigenschaften des Ergebnisses</translation>
+    </message>
+    <message>
+        <source>Make one hollow solid of the sketch, for a 3D printer; faces left out are openings. The first time takes some seconds</source>
+        <translation>Einen Hohlkörper für den 3D-Drucker machen; ausgelassene Flächen sind Öffnungen. Beim ersten Mal dauert es einige Sekunden</translation>
+    </message>
+    <message>
+        <source>Make plates</source>
+        <translation>Platten machen</translation>
+    </message>
+    <message>
+        <source>Make shelled solid</source>
+        <translation>Hohlkörper machen</translation>
+    </message>
+    <message>
+        <source>Make the 3D model of the sketch; it follows every change of the sketch</source>
+        <translation>Das 3D-Modell der Skizze machen; es folgt jeder Änderung</translation>
+    </message>
+    <message>
+        <source>Mark equal length</source>
+        <translation>Gleiche Längen festlegen</translation>
+    </message>
+    <message>
+        <source>Mark ground</source>
+        <translation>Boden festlegen</translation>
+    </message>
+    <message>
+        <source>Mark on face</source>
+        <translation>Lage auf Fläche festlegen</translation>
+    </message>
+    <message>
+        <source>Mark parallel</source>
+        <translation>Parallelen festlegen</translation>
+    </message>
+    <message>
+        <source>Mark right angle</source>
+        <translation>Rechten Winkel festlegen</translation>
+    </message>
+    <message>
+        <source>Mark symmetry plane</source>
+        <translation>Symmetrieebene festlegen</translation>
+    </message>
+    <message>
+        <source>Merge vertices</source>
+        <translation>Punkte vereinen</translation>
+    </message>
+    <message>
+        <source>Modeling in &amp;Context</source>
+        <translation>Modeling in &amp;Context</translation>
+    </message>
+    <message>
+        <source>Modeling in Context</source>
+        <translation>Modeling in Context</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Move vertex</source>
+        <translation>Punkt verschieben</translation>
+    </message>
+    <message>
+        <source>New sketch from a photo</source>
+        <translation>Neue Skizze aus Foto</translation>
+    </message>
+    <message>
+        <source>New sketch from a photo...</source>
+        <translation>Neue Skizze aus Foto …</translation>
+    </message>
+    <message>
+        <source>New sketch from the clipboard</source>
+        <translation>Neue Skizze aus der Zwischenablage</translation>
+    </message>
+    <message>
+        <source>No 3D shape fits this drawing; check the annotations against it.</source>
+        <translation>Keine 3D-Form passt zu dieser Zeichnung; bitte die Angaben mit ihr vergleichen.</translation>
+    </message>
+    <message>
+        <source>No face is known yet: close a loop of edges with right angles, or list faces</source>
+        <translation>Noch keine Fläche bekannt: einen Kantenzug mit rechten Winkeln schließen oder Flächen nennen</translation>
+    </message>
+    <message>
+        <source>No hollow at all</source>
+        <translation>Gar nicht hohl</translation>
+    </message>
+    <message>
+        <source>No shape was found in which all annotations hold: mark more right angles, parallels or ground vertices, or check {}.</source>
+        <translation>Keine Form gefunden, in der alle Angaben gelten: mehr rechte Winkel, Parallelen oder Bodenpunkte angeben, oder {} prüfen.</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Nicht jetzt</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Abw.</translation>
+    </message>
+    <message>
+        <source>On a face</source>
+        <translation>Auf einer Fläche</translation>
+    </message>
+    <message>
+        <source>On face</source>
+        <translation>Auf Fläche</translation>
+    </message>
+    <message>
+        <source>On the ground</source>
+        <translation>Auf dem Boden</translation>
+    </message>
+    <message>
+        <source>One drag makes four edges and four right angles, in perspective once that is known; move the corners afterwards</source>
+        <translation>Ein Zug macht vier Kanten und vier rechte Winkel, in Perspektive, sobald sie bekannt ist; Ecken danach verschieben</translation>
+    </message>
+    <message>
+        <source>Open a .sketch.json file; its photo is taken from beside it</source>
+        <translation>Eine .sketch.json-Datei öffnen; das Foto daneben wird mitgenommen</translation>
+    </message>
+    <message>
+        <source>Open the bookshelf example</source>
+        <translation>Beispiel Bücherregal öffnen</translation>
+    </message>
+    <message>
+        <source>Or in a terminal:</source>
+        <translation>Oder im Terminal:</translation>
+    </message>
+    <message>
+        <source>Other joints at some edges, such as e5=butt or f1:f2=finger,finger=8,owner=f1; kinds: auto, finger, butt, half_lap, tab_slot, none</source>
+        <translation>Andere Verbindungen an einigen Kanten, etwa e5=butt oder f1:f2=finger,finger=8,owner=f1; Arten: auto, finger, butt, half_lap, tab_slot, none</translation>
+    </message>
+    <message>
+        <source>Parallel</source>
+        <translation>Parallel</translation>
+    </message>
+    <message>
+        <source>Photo</source>
+        <translation>Foto</translation>
+    </message>
+    <message>
+        <source>Photo sketch</source>
+        <translation>Fotoskizze</translation>
+    </message>
+    <message>
+        <source>Photos</source>
+        <translation>Fotos</translation>
+    </message>
+    <message>
+        <source>Plates</source>
+        <translation>Platten</translation>
+    </message>
+    <message>
+        <source>Put another photo under the sketch; a photo can also be dropped on it or pasted</source>
+        <translation>Ein anderes Foto unter die Skizze legen; es lässt sich auch hineinziehen oder einfügen</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Remove on face</source>
+        <translation>Lage auf Fläche entfernen</translation>
+    </message>
+    <message>
+        <source>Remove right angle</source>
+        <translation>Rechten Winkel entfernen</translation>
+    </message>
+    <message>
+        <source>Remove symmetry plane</source>
+        <translation>Symmetrieebene entfernen</translation>
+    </message>
+    <message>
+        <source>Replace photo</source>
+        <translation>Foto ersetzen</translation>
+    </message>
+    <message>
+        <source>Replace photo...</source>
+        <translation>Foto ersetzen …</translation>
+    </message>
+    <message>
+        <source>Right angle</source>
+        <translation>Rechter Winkel</translation>
+    </message>
+    <message>
+        <source>Room for a round cutter in corners that look inwards; a laser needs none</source>
+        <translation>Platz für einen runden Fräser in Innenecken; ein Laser braucht keinen</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>Set diameter</source>
+        <translation>Durchmesser setzen</translation>
+    </message>
+    <message>
+        <source>Set length</source>
+        <translation>Länge setzen</translation>
+    </message>
+    <message>
+        <source>Set thickness</source>
+        <translation>Dicke setzen</translation>
+    </message>
+    <message>
+        <source>Shelled solid</source>
+        <translation>Hohlkörper</translation>
+    </message>
+    <message>
+        <source>Shift-click more middles, then Enter or right click; Esc to give up</source>
+        <translation>Mit Umschalt-Klick weitere Mitten wählen, dann Enter oder Rechtsklick; Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Show the photo and the sketch over it; drag a vertex, and the model follows</source>
+        <translation>Foto und Skizze zeigen; beim Ziehen eines Punktes folgt das Modell</translation>
+    </message>
+    <message>
+        <source>Show the plates apart, the way they are put together</source>
+        <translation>Die Platten auseinandergezogen zeigen, wie sie zusammengesetzt werden</translation>
+    </message>
+    <message>
+        <source>Show the whole photo (F)</source>
+        <translation>Ganzes Foto zeigen (F)</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Maß</translation>
+    </message>
+    <message>
+        <source>Size of the stock</source>
+        <translation>Größe des Bogens</translation>
+    </message>
+    <message>
+        <source>Size of the stock; 0 takes the smallest usual sheet that holds every plate</source>
+        <translation>Größe des Bogens; 0 nimmt den kleinsten üblichen, auf den jede Platte passt</translation>
+    </message>
+    <message>
+        <source>Sketch &amp;tools</source>
+        <translation>Skizzen&amp;werkzeuge</translation>
+    </message>
+    <message>
+        <source>Sketch tools</source>
+        <translation>Skizzenwerkzeuge</translation>
+    </message>
+    <message>
+        <source>Sketches (*.sketch.json);;All files (*)</source>
+        <translation>Skizzen (*.sketch.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Solved without {}.</source>
+        <translation>Gelöst ohne {}.</translation>
+    </message>
+    <message>
+        <source>Solved, but seen from below: check the ground vertices.</source>
+        <translation>Gelöst, aber von unten gesehen: bitte die Bodenpunkte prüfen.</translation>
+    </message>
+    <message>
+        <source>Solved, but {} contradicts the drawing: with it the drawing is missed by {} px, without it by {} px.</source>
+        <translation>Gelöst, aber {} widerspricht der Zeichnung: damit wird sie um {} px verfehlt, ohne um {} px.</translation>
+    </message>
+    <message>
+        <source>Solved, with a usual focal length assumed: the drawing does not tell it.</source>
+        <translation>Gelöst, mit einer üblichen Brennweite: die Zeichnung verrät sie nicht.</translation>
+    </message>
+    <message>
+        <source>Solved.</source>
+        <translation>Gelöst.</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Quadrat</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing is installed.</source>
+        <translation>Abgebrochen; nichts wurde installiert.</translation>
+    </message>
+    <message>
+        <source>Surface of revolution</source>
+        <translation>Drehfläche</translation>
+    </message>
+    <message>
+        <source>Symmetry plane</source>
+        <translation>Symmetrieebene</translation>
+    </message>
+    <message>
+        <source>Take all {} suggestions (Y)</source>
+        <translation>Alle {} Vorschläge übernehmen (Y)</translation>
+    </message>
+    <message>
+        <source>Take suggestions</source>
+        <translation>Vorschläge übernehmen</translation>
+    </message>
+    <message>
+        <source>Take the picture, or the picture file, that was copied last as the photo</source>
+        <translation>Das zuletzt kopierte Bild oder die Bilddatei als Foto nehmen</translation>
+    </message>
+    <message>
+        <source>That did not work:</source>
+        <translation>Das hat nicht geklappt:</translation>
+    </message>
+    <message>
+        <source>The drawing and the annotations are too far apart: check the annotations.</source>
+        <translation>Zeichnung und Angaben liegen zu weit auseinander: bitte die Angaben prüfen.</translation>
+    </message>
+    <message>
+        <source>The model that is hollowed out</source>
+        <translation>Das Modell, das ausgehöhlt wird</translation>
+    </message>
+    <message>
+        <source>The model that plates are made of</source>
+        <translation>Das Modell, aus dem Platten werden</translation>
+    </message>
+    <message>
+        <source>The photo, kept inside the document</source>
+        <translation>Das Foto, im Dokument gespeichert</translation>
+    </message>
+    <message>
+        <source>The sketch has no edges: draw the object's edges over the photo.</source>
+        <translation>Die Skizze hat keine Kanten: bitte die Kanten des Objekts über das Foto zeichnen.</translation>
+    </message>
+    <message>
+        <source>The sketch that is lifted to 3D</source>
+        <translation>Die Skizze, die in 3D gehoben wird</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>Thickness of the sheets, for faces that name none of their own</source>
+        <translation>Dicke der Bögen, für Flächen ohne eigene Angabe</translation>
+    </message>
+    <message>
+        <source>Thickness of the wall</source>
+        <translation>Dicke der Wand</translation>
+    </message>
+    <message>
+        <source>This needs Python packages that are not installed: {}.
+They are put into FreeCAD's own folder, and may take some minutes and 2 GB.</source>
+        <translation>Dafür fehlen Python-Pakete: {}.
+Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und 2 GB brauchen.</translation>
+    </message>
+    <message>
+        <source>Tile the PDF on A4, A3 or letter pages</source>
+        <translation>Das PDF auf A4-, A3- oder Letter-Seiten verteilen</translation>
+    </message>
+    <message>
+        <source>True where no length says how big the object is: its longest edge is 100 mm then</source>
+        <translation>Wahr, wo keine Länge die Größe angibt: die längste Kante ist dann 100 mm</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Nochmals versuchen</translation>
+    </message>
+    <message>
+        <source>Type a length, such as 210, 21 cm or 3/4 in</source>
+        <translation>Bitte eine Länge eingeben, etwa 210, 21 cm oder 3/4 in</translation>
+    </message>
+    <message>
+        <source>Unknowns: {} before, {} with what is true</source>
+        <translation>Unbekannte: vorher {}, mit dem, was gilt, {}</translation>
+    </message>
+    <message>
+        <source>View through photo</source>
+        <translation>Durch das Foto sehen</translation>
+    </message>
+    <message>
+        <source>What fingers, play and kerf come to, in millimetres</source>
+        <translation>Was Finger, Spiel und Schnittfuge ergeben, in Millimetern</translation>
+    </message>
+    <message>
+        <source>What is true</source>
+        <translation>Was gilt</translation>
+    </message>
+    <message>
+        <source>What the last recompute has to say</source>
+        <translation>Was die letzte Neuberechnung zu sagen hat</translation>
+    </message>
+    <message>
+        <source>What the printer can print at once, in mm; 0 for unknown</source>
+        <translation>Was der Drucker auf einmal drucken kann, in mm; 0 für unbekannt</translation>
+    </message>
+    <message>
+        <source>What the printer can print; thinner walls are refused</source>
+        <translation>Was der Drucker drucken kann; dünnere Wände werden abgelehnt</translation>
+    </message>
+    <message>
+        <source>What was drawn over the photo, as the text of a sketch file</source>
+        <translation>Was über das Foto gezeichnet wurde, als Text einer Skizzendatei</translation>
+    </message>
+    <message>
+        <source>Where the direction that is up lies on the sheet</source>
+        <translation>Wo die Richtung nach oben auf dem Bogen liegt</translation>
+    </message>
+    <message>
+        <source>Where the material lies: inside means that the drawn faces are the outside</source>
+        <translation>Wo das Material liegt: innen heißt, die gezeichneten Flächen sind außen</translation>
+    </message>
+    <message>
+        <source>Where the wall lies: inside means that the drawn faces are the outside</source>
+        <translation>Wo die Wand liegt: innen heißt, die gezeichneten Flächen sind außen</translation>
+    </message>
+    <message>
+        <source>Which end of a surface of revolution has no wall</source>
+        <translation>Welches Ende einer Drehfläche keine Wand hat</translation>
+    </message>
+    <message>
+        <source>Write the plates as DXF, SVG, STEP and plates.json into a folder</source>
+        <translation>Platten als DXF, SVG, STEP und plates.json in einen Ordner schreiben</translation>
+    </message>
+    <message>
+        <source>a lifted model</source>
+        <translation>ein gehobenes Modell</translation>
+    </message>
+    <message>
+        <source>a photo sketch</source>
+        <translation>eine Fotoskizze</translation>
+    </message>
+    <message>
+        <source>a plate set</source>
+        <translation>einen Plattensatz</translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation>und</translation>
+    </message>
+    <message>
+        <source>choose a lifted model</source>
+        <translation>bitte ein gehobenes Modell wählen</translation>
+    </message>
+    <message>
+        <source>choose a photo sketch</source>
+        <translation>bitte eine Fotoskizze wählen</translation>
+    </message>
+    <message>
+        <source>follows from the drawing and the other dimensions</source>
+        <translation>folgt aus der Zeichnung und den anderen Maßen</translation>
+    </message>
+    <message>
+        <source>key {} in the sketch</source>
+        <translation>Taste {} in der Skizze</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <translation>oder</translation>
+    </message>
+    <message>
+        <source>select {} first</source>
+        <translation>bitte zuerst {} auswählen</translation>
+    </message>
+    <message>
+        <source>the Python package {0} is missing; install it with FreeCAD's Addon Manager, or with: {1} -m pip install --target {2} {0}</source>
+        <translation>das Python-Paket {0} fehlt; bitte mit FreeCADs Addon-Manager installieren oder mit: {1} -m pip install --target {2} {0}</translation>
+    </message>
+    <message>
+        <source>there is no picture in the clipboard; copy one first</source>
+        <translation>in der Zwischenablage ist kein Bild; bitte zuerst eines kopieren</translation>
+    </message>
+    <message>
+        <source>type a value or an expression</source>
+        <translation>Wert oder Ausdruck eingeben</translation>
+    </message>
+    <message>
+        <source>waits for {}</source>
+        <translation>wartet auf {}</translation>
+    </message>
+    <message>
+        <source>{0} cannot hold together with {1}: try removing {0}.</source>
+        <translation>{0} kann nicht zusammen mit {1} gelten: {0} versuchsweise entfernen.</translation>
+    </message>
+    <message>
+        <source>{0} cannot hold: try removing {0}.</source>
+        <translation>{0} kann nicht gelten: {0} versuchsweise entfernen.</translation>
+    </message>
+    <message>
+        <source>{0}: edge {1}, from {2} to {3}</source>
+        <translation>{0}: Kante {1}, von {2} nach {3}</translation>
+    </message>
+    <message>
+        <source>{:.1f} cm3 of material</source>
+        <translation>{:.1f} cm3 Material</translation>
+    </message>
+    <message>
+        <source>{} cannot all hold: take one of them away.</source>
+        <translation>{} können nicht alle gelten: bitte eine davon wegnehmen.</translation>
+    </message>
+    <message>
+        <source>{} cannot hold together with the rest: check the worst first.</source>
+        <translation>{} passen nicht zum Rest: die schlimmste zuerst prüfen.</translation>
+    </message>
+    <message>
+        <source>{} contradicts the rest: with it the drawing is missed by {} px, without it by {} px.</source>
+        <translation>{} widerspricht dem Rest: damit wird die Zeichnung um {} px verfehlt, ohne um {} px.</translation>
+    </message>
+    <message>
+        <source>{} freedom left: add a right angle, parallel or ground vertex at {}.</source>
+        <translation>Noch {} Freiheit: bitte einen rechten Winkel, eine Parallele oder einen Bodenpunkt bei {} angeben.</translation>
+    </message>
+    <message>
+        <source>{} freedoms left: add a right angle, parallel or ground vertex at {}.</source>
+        <translation>Noch {} Freiheiten: bitte einen rechten Winkel, eine Parallele oder einen Bodenpunkt bei {} angeben.</translation>
+    </message>
+    <message>
+        <source>{} had been opened or saved without this addon and had lost what makes them follow the sketch; they have it again</source>
+        <translation>{} wurden ohne dieses Addon geöffnet oder gespeichert und folgten der Skizze nicht mehr; jetzt folgen sie wieder</translation>
+    </message>
+    <message>
+        <source>{} is not there; use the command below.</source>
+        <translation>{} ist nicht vorhanden; bitte den Befehl unten verwenden.</translation>
+    </message>
+    <message>
+        <source>{} plates</source>
+        <translation>{} Platten</translation>
+    </message>
+    <message>
+        <source>{} vertices, {} edges, {} annotations</source>
+        <translation>{} Punkte, {} Kanten, {} Angaben</translation>
+    </message>
+    <message>
+        <source>{} was saved by a newer version of this addon; what it added is left as it is</source>
+        <translation>{} wurde von einer neueren Version dieses Addons gespeichert; was sie hinzufügte, bleibt, wie es ist</translation>
+    </message>
+</context>
+</TS>

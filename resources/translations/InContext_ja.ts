@@ -1,0 +1,993 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="ja" sourcelanguage="en">
+<context>
+    <name>InContext</name>
+    <message>
+        <source>210, 21 cm, 3/4 in</source>
+        <translation>210, 21 cm, 3/4 in</translation>
+    </message>
+    <message>
+        <source>3, 0.5 cm, 1/8 in</source>
+        <translation>3, 0.5 cm, 1/8 in</translation>
+    </message>
+    <message>
+        <source>90, 9 cm, 3/4 in</source>
+        <translation>90, 9 cm, 3/4 in</translation>
+    </message>
+    <message>
+        <source>A bookshelf drawn over a photo of a desk, all the way to its plates</source>
+        <translation>机の写真の上に描いた本棚。板になるまで</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>すべてのファイル</translation>
+    </message>
+    <message>
+        <source>All vertices lie on one line: draw edges in at least two directions.</source>
+        <translation>頂点がすべて一直線上です。二方向以上の辺を描いてください。</translation>
+    </message>
+    <message>
+        <source>Annotations</source>
+        <translation>注釈</translation>
+    </message>
+    <message>
+        <source>As the rectangle, with four equal sides</source>
+        <translation>長方形と同じで四辺が等しい</translation>
+    </message>
+    <message>
+        <source>Between two plates</source>
+        <translation>板と板の間隔</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>箱</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Change circle</source>
+        <translation>円を変更</translation>
+    </message>
+    <message>
+        <source>Change construction</source>
+        <translation>補助線の切り替え</translation>
+    </message>
+    <message>
+        <source>Choose a folder for the plates</source>
+        <translation>板の保存先フォルダーを選択</translation>
+    </message>
+    <message>
+        <source>Choose a photo</source>
+        <translation>写真を選択</translation>
+    </message>
+    <message>
+        <source>Choose a sketch</source>
+        <translation>スケッチを選択</translation>
+    </message>
+    <message>
+        <source>Choose the photo of the place where the new object will live; it is kept inside the document</source>
+        <translation>新しい物を置く場所の写真を選択。写真はドキュメントに保存されます</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>円</translation>
+    </message>
+    <message>
+        <source>Click a vertex that touches a face</source>
+        <translation>面に接する頂点をクリック</translation>
+    </message>
+    <message>
+        <source>Click a vertex, then the middle of the face that it touches</source>
+        <translation>頂点をクリックし、次に接する面の中央をクリック</translation>
+    </message>
+    <message>
+        <source>Click along the side, up to the edge of the top circle; Enter or right click ends</source>
+        <translation>側面に沿って上の円の縁までクリック。Enter または右クリックで終了</translation>
+    </message>
+    <message>
+        <source>Click an angle near its corner, or inside a quadrilateral for all four</source>
+        <translation>角の近くをクリック、または四角形の内側をクリックで四つすべて</translation>
+    </message>
+    <message>
+        <source>Click an angle that is a right one, or inside a quadrilateral for all four</source>
+        <translation>直角の角をクリック、または四角形の内側で四つすべて</translation>
+    </message>
+    <message>
+        <source>Click an edge or a circle and type its size: 210, 21 cm or 3/4 in</source>
+        <translation>辺または円をクリックし寸法を入力: 210、21 cm、3/4 in</translation>
+    </message>
+    <message>
+        <source>Click an edge or a circle, type its size (210, 21 cm, 3/4 in); empty removes it</source>
+        <translation>辺または円をクリックし寸法を入力(210、21 cm、3/4 in)。空欄で削除</translation>
+    </message>
+    <message>
+        <source>Click edges that are equally long, then Enter or right click</source>
+        <translation>同じ長さの辺をクリックし、Enter または右クリック</translation>
+    </message>
+    <message>
+        <source>Click edges that are equally long, then press Enter</source>
+        <translation>同じ長さの辺をクリックし Enter</translation>
+    </message>
+    <message>
+        <source>Click edges that are parallel, then Enter or right click</source>
+        <translation>平行な辺をクリックし、Enter または右クリック</translation>
+    </message>
+    <message>
+        <source>Click edges that are parallel, then press Enter</source>
+        <translation>平行な辺をクリックし Enter</translation>
+    </message>
+    <message>
+        <source>Click in the middle of a face and type how thick its plate is</source>
+        <translation>面の中央をクリックし、板の厚さを入力</translation>
+    </message>
+    <message>
+        <source>Click in the middle of a face that stays open, such as the front of a shelf</source>
+        <translation>棚の前面など、開けておく面の中央をクリック</translation>
+    </message>
+    <message>
+        <source>Click in the middle of a face that stays open; click again to close it</source>
+        <translation>開けておく面の中央をクリック。もう一度クリックで閉じます</translation>
+    </message>
+    <message>
+        <source>Click in the middle of a face, type its thickness and Enter; empty: as the others</source>
+        <translation>面の中央をクリックし、厚さを入力して Enter。空欄は他と同じ</translation>
+    </message>
+    <message>
+        <source>Click in the middle of the face that it touches; Esc to give up</source>
+        <translation>接する面の中央をクリック。Esc で中止</translation>
+    </message>
+    <message>
+        <source>Click or box to select, drag to move; drop a vertex on another one to merge them</source>
+        <translation>クリックか枠で選択、ドラッグで移動。頂点を別の頂点に重ねると結合</translation>
+    </message>
+    <message>
+        <source>Click or box to select; drag vertices, edges, circles and their grips to move them</source>
+        <translation>クリックか枠で選択。頂点、辺、円とそのグリップはドラッグで移動</translation>
+    </message>
+    <message>
+        <source>Click the box's left corner on the ground</source>
+        <translation>箱の左下の角をクリック</translation>
+    </message>
+    <message>
+        <source>Click the corner above the front one</source>
+        <translation>手前の角の真上の角をクリック</translation>
+    </message>
+    <message>
+        <source>Click the corner above the left one</source>
+        <translation>左の角の真上の角をクリック</translation>
+    </message>
+    <message>
+        <source>Click the corner above the right one</source>
+        <translation>右の角の真上の角をクリック</translation>
+    </message>
+    <message>
+        <source>Click the end of the line; right click stops; Ctrl: no snapping, Shift: crossings</source>
+        <translation>線の終点をクリック。右クリックで終了。Ctrl: スナップなし、Shift: 交点</translation>
+    </message>
+    <message>
+        <source>Click the front corner on the ground</source>
+        <translation>手前の下の角をクリック</translation>
+    </message>
+    <message>
+        <source>Click the middle of an edge that the plane halves; Shift-click picks one by one</source>
+        <translation>対称面が二等分する辺の中点をクリック。Shift+クリックで一つずつ</translation>
+    </message>
+    <message>
+        <source>Click the middle of an edge that the plane halves; what is hidden behind is added</source>
+        <translation>対称面が二等分する辺の中点をクリック。隠れた部分が補われます</translation>
+    </message>
+    <message>
+        <source>Click the right corner on the ground</source>
+        <translation>右下の角をクリック</translation>
+    </message>
+    <message>
+        <source>Click the seven corners that are seen of a box, such as a book in the photo; as construction it gives the perspective</source>
+        <translation>写真の本など、箱の見えている七つの角をクリック。補助線にすると遠近が決まります</translation>
+    </message>
+    <message>
+        <source>Click the start of the line, or drag</source>
+        <translation>線の始点をクリック、またはドラッグ</translation>
+    </message>
+    <message>
+        <source>Click the upper corner at the back; X then makes the box construction</source>
+        <translation>奥の上の角をクリック。その後 X で補助線になります</translation>
+    </message>
+    <message>
+        <source>Click vertices, edges or the middle of a face that stand on the ground, or box them</source>
+        <translation>地面に接する頂点、辺、面の中央をクリック、または枠で囲む</translation>
+    </message>
+    <message>
+        <source>Click what stands on the ground: vertices, edges, the middle of a face; or box them</source>
+        <translation>地面に接する頂点、辺、面の中央をクリック、または枠で囲む</translation>
+    </message>
+    <message>
+        <source>Click where the side begins, at the edge of the bottom circle</source>
+        <translation>側面の始まり(下の円の縁)をクリック</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>コピー</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>Delete annotation</source>
+        <translation>注釈を削除</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>直径</translation>
+    </message>
+    <message>
+        <source>Diameter of circle {}</source>
+        <translation>円 {} の直径</translation>
+    </message>
+    <message>
+        <source>Diameter of the round cutter, for the corner relief</source>
+        <translation>角の逃げのための刃の直径</translation>
+    </message>
+    <message>
+        <source>Drag a box around a horizontal circle as it is seen: its ellipse fills the box</source>
+        <translation>写真に見える水平な円を枠で囲むようにドラッグ。楕円が枠いっぱいに入ります</translation>
+    </message>
+    <message>
+        <source>Drag a box around a horizontal circle as it is seen; pull its four grips afterwards</source>
+        <translation>見えている水平な円を枠で囲む。後で四つのグリップで調整</translation>
+    </message>
+    <message>
+        <source>Drag from one corner of the rectangle to the opposite one; move corners afterwards</source>
+        <translation>角から対角へドラッグ。角は後で動かせます</translation>
+    </message>
+    <message>
+        <source>Drag the bottom circle of the new object, or click one that is drawn</source>
+        <translation>新しい物の下の円をドラッグ、または描いた円をクリック</translation>
+    </message>
+    <message>
+        <source>Drag the circle where it stands on the ground or table, or click one that is drawn</source>
+        <translation>地面や机に接する円をドラッグ、または描いた円をクリック</translation>
+    </message>
+    <message>
+        <source>Drag the rectangle: it lies level; press the key again to turn it upright</source>
+        <translation>四角形をドラッグ(水平)。もう一度キーを押すと垂直になります</translation>
+    </message>
+    <message>
+        <source>Drag the rectangle: it stands upright; press the key again for any corners</source>
+        <translation>四角形をドラッグ(垂直)。もう一度キーを押すと角が自由になります</translation>
+    </message>
+    <message>
+        <source>Drag the rectangle: it stands upright; press the key again to turn it</source>
+        <translation>四角形をドラッグ(垂直)。もう一度キーを押すと向きが変わります</translation>
+    </message>
+    <message>
+        <source>Drag the top circle of the new object, or click one that is drawn</source>
+        <translation>新しい物の上の円をドラッグ、または描いた円をクリック</translation>
+    </message>
+    <message>
+        <source>Drag to move, Delete to remove, X for construction; Shift-click adds</source>
+        <translation>ドラッグで移動、Delete で削除、X で補助線。Shift+クリックで追加</translation>
+    </message>
+    <message>
+        <source>Draw a new object over one photo, get a 3D shape and plates to cut</source>
+        <translation>写真の上に新しい物を描くと、3D の形と切り出す板になります</translation>
+    </message>
+    <message>
+        <source>Draw box</source>
+        <translation>箱を描く</translation>
+    </message>
+    <message>
+        <source>Draw circle</source>
+        <translation>円を描く</translation>
+    </message>
+    <message>
+        <source>Draw line</source>
+        <translation>線を描く</translation>
+    </message>
+    <message>
+        <source>Draw rectangle</source>
+        <translation>長方形を描く</translation>
+    </message>
+    <message>
+        <source>Draw side</source>
+        <translation>側面を描く</translation>
+    </message>
+    <message>
+        <source>Draw square</source>
+        <translation>正方形を描く</translation>
+    </message>
+    <message>
+        <source>Draw straight edges, click after click or one with each drag</source>
+        <translation>直線の辺を描く。クリックで連続、またはドラッグで一本ずつ</translation>
+    </message>
+    <message>
+        <source>Draw the ground, bottom and top circle, then the side from bottom to top</source>
+        <translation>地面、下、上の円を描き、側面を下から上へ</translation>
+    </message>
+    <message>
+        <source>Draw the new object over the photo: press L for lines, R for rectangles</source>
+        <translation>写真の上に新しい物を描きます。L で線、R で長方形</translation>
+    </message>
+    <message>
+        <source>Edit sketch</source>
+        <translation>スケッチを編集</translation>
+    </message>
+    <message>
+        <source>Equal length</source>
+        <translation>等しい長さ</translation>
+    </message>
+    <message>
+        <source>Equal lengths</source>
+        <translation>等しい長さ</translation>
+    </message>
+    <message>
+        <source>Export a PDF in true size too</source>
+        <translation>原寸の PDF も書き出す</translation>
+    </message>
+    <message>
+        <source>Export a fit test with these settings too</source>
+        <translation>この設定のはめあい試験片も書き出す</translation>
+    </message>
+    <message>
+        <source>Export plates...</source>
+        <translation>板を書き出す…</translation>
+    </message>
+    <message>
+        <source>Export the parts list too</source>
+        <translation>部品表も書き出す</translation>
+    </message>
+    <message>
+        <source>Faces are known once the sketch is solved: the line below says what is missing</source>
+        <translation>面はスケッチが解けるとわかります。足りないものは下の行に表示されます</translation>
+    </message>
+    <message>
+        <source>Follows from the others</source>
+        <translation>他から決まります</translation>
+    </message>
+    <message>
+        <source>For the parts list; 0 for unknown</source>
+        <translation>部品表用。0 は不明</translation>
+    </message>
+    <message>
+        <source>For the time, in mm/s</source>
+        <translation>時間の計算用、mm/s</translation>
+    </message>
+    <message>
+        <source>Free border of a sheet</source>
+        <translation>板材の余白</translation>
+    </message>
+    <message>
+        <source>Full width that the beam removes; changes the cut paths only, never the plates</source>
+        <translation>レーザーが削る全幅。切断線だけが変わり、板は変わりません</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>How far the triangles of exported files may leave curved surfaces</source>
+        <translation>書き出す三角形と曲面の許容差</translation>
+    </message>
+    <message>
+        <source>How many plates there are</source>
+        <translation>板の枚数</translation>
+    </message>
+    <message>
+        <source>How much wider a slot is than the finger that goes into it</source>
+        <translation>溝がほぞより広い量</translation>
+    </message>
+    <message>
+        <source>How strong the photo is: fade it to see the lines</source>
+        <translation>写真の濃さ。薄くすると線が見やすくなります</translation>
+    </message>
+    <message>
+        <source>How the last recompute ended</source>
+        <translation>最後の再計算の結果</translation>
+    </message>
+    <message>
+        <source>How the plates are joined at each edge</source>
+        <translation>各辺での板のつなぎ方</translation>
+    </message>
+    <message>
+        <source>How wide fingers should be</source>
+        <translation>ほぞの幅</translation>
+    </message>
+    <message>
+        <source>Import sketch</source>
+        <translation>スケッチを読み込む</translation>
+    </message>
+    <message>
+        <source>Import sketch...</source>
+        <translation>スケッチを読み込む…</translation>
+    </message>
+    <message>
+        <source>In which order the plates go together</source>
+        <translation>板を組み立てる順序</translation>
+    </message>
+    <message>
+        <source>Include face</source>
+        <translation>面を含める</translation>
+    </message>
+    <message>
+        <source>Install</source>
+        <translation>インストール</translation>
+    </message>
+    <message>
+        <source>Installing ...</source>
+        <translation>インストール中…</translation>
+    </message>
+    <message>
+        <source>Its sizes are unsure: mark more, give a length, or trace something real in the photo.</source>
+        <translation>寸法は不確かです。指定を増やす、長さを与える、または写真の実物をなぞってください。</translation>
+    </message>
+    <message>
+        <source>Layers and colours in files: a shop's or program's name, or your own .json file</source>
+        <translation>ファイルのレイヤーと色。業者やソフトの名前、または自分の .json</translation>
+    </message>
+    <message>
+        <source>Leave face out</source>
+        <translation>面を省く</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>省く</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>長さ</translation>
+    </message>
+    <message>
+        <source>Length, diameter</source>
+        <translation>長さ・直径</translation>
+    </message>
+    <message>
+        <source>Let go, or click, at the opposite corner of the box; Esc to give up</source>
+        <translation>枠の反対側の角で放すかクリック。Esc で中止</translation>
+    </message>
+    <message>
+        <source>Let go, or click, at the opposite corner; Esc to give up</source>
+        <translation>反対側の角で放すかクリック。Esc で中止</translation>
+    </message>
+    <message>
+        <source>Lift to 3D</source>
+        <translation>3D に起こす</translation>
+    </message>
+    <message>
+        <source>Lifted model</source>
+        <translation>起こしたモデル</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>線</translation>
+    </message>
+    <message>
+        <source>Look at the 3D model from where the photo was taken, with the photo behind it; once more brings the old view back</source>
+        <translation>写真を撮った位置から、写真を背景に 3D モデルを見る。もう一度で元の表示に戻ります</translation>
+    </message>
+    <message>
+        <source>Make finger-jointed plates of the sketch; thickness, fingers, play and kerf are properties of the result</source>
+        <translation>スケッチから組み継ぎの板を作成。厚さ、ほぞ、あそび、切り幅は結果のプロパティです</translation>
+    </message>
+    <message>
+        <source>Make one hollow solid of the sketch, for a 3D printer; faces left out are openings. The first time takes some seconds</source>
+        <translation>3D プリンター用の中空の立体を作成。省いた面は開口になります。初回は数秒かかります</translation>
+    </message>
+    <message>
+        <source>Make plates</source>
+        <translation>板を作成</translation>
+    </message>
+    <message>
+        <source>Make shelled solid</source>
+        <translation>中空の立体を作成</translation>
+    </message>
+    <message>
+        <source>Make the 3D model of the sketch; it follows every change of the sketch</source>
+        <translation>スケッチの 3D モデルを作成。スケッチの変更に追従します</translation>
+    </message>
+    <message>
+        <source>Mark equal length</source>
+        <translation>等しい長さを指定</translation>
+    </message>
+    <message>
+        <source>Mark ground</source>
+        <translation>地面を指定</translation>
+    </message>
+    <message>
+        <source>Mark on face</source>
+        <translation>面上を指定</translation>
+    </message>
+    <message>
+        <source>Mark parallel</source>
+        <translation>平行を指定</translation>
+    </message>
+    <message>
+        <source>Mark right angle</source>
+        <translation>直角を指定</translation>
+    </message>
+    <message>
+        <source>Mark symmetry plane</source>
+        <translation>対称面を指定</translation>
+    </message>
+    <message>
+        <source>Merge vertices</source>
+        <translation>頂点を結合</translation>
+    </message>
+    <message>
+        <source>Modeling in &amp;Context</source>
+        <translation>Modeling in &amp;Context</translation>
+    </message>
+    <message>
+        <source>Modeling in Context</source>
+        <translation>Modeling in Context</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移動</translation>
+    </message>
+    <message>
+        <source>Move vertex</source>
+        <translation>頂点を移動</translation>
+    </message>
+    <message>
+        <source>New sketch from a photo</source>
+        <translation>写真から新しいスケッチ</translation>
+    </message>
+    <message>
+        <source>New sketch from a photo...</source>
+        <translation>写真から新しいスケッチ…</translation>
+    </message>
+    <message>
+        <source>New sketch from the clipboard</source>
+        <translation>クリップボードから新しいスケッチ</translation>
+    </message>
+    <message>
+        <source>No 3D shape fits this drawing; check the annotations against it.</source>
+        <translation>この図に合う 3D の形がありません。注釈を図と見比べてください。</translation>
+    </message>
+    <message>
+        <source>No face is known yet: close a loop of edges with right angles, or list faces</source>
+        <translation>面がまだありません。直角のある辺の輪を閉じてください</translation>
+    </message>
+    <message>
+        <source>No hollow at all</source>
+        <translation>中空にしない</translation>
+    </message>
+    <message>
+        <source>No shape was found in which all annotations hold: mark more right angles, parallels or ground vertices, or check {}.</source>
+        <translation>すべての注釈が成り立つ形が見つかりません。直角、平行、地面を増やすか、{} を確認してください。</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>後で</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>ずれ</translation>
+    </message>
+    <message>
+        <source>On a face</source>
+        <translation>面の上</translation>
+    </message>
+    <message>
+        <source>On face</source>
+        <translation>面上</translation>
+    </message>
+    <message>
+        <source>On the ground</source>
+        <translation>地面の上</translation>
+    </message>
+    <message>
+        <source>One drag makes four edges and four right angles, in perspective once that is known; move the corners afterwards</source>
+        <translation>一回のドラッグで四辺と四つの直角。遠近がわかればそれに従います。角は後で動かせます</translation>
+    </message>
+    <message>
+        <source>Open a .sketch.json file; its photo is taken from beside it</source>
+        <translation>.sketch.json ファイルを開く。写真は同じ場所から読みます</translation>
+    </message>
+    <message>
+        <source>Open the bookshelf example</source>
+        <translation>本棚の例を開く</translation>
+    </message>
+    <message>
+        <source>Or in a terminal:</source>
+        <translation>または端末で:</translation>
+    </message>
+    <message>
+        <source>Other joints at some edges, such as e5=butt or f1:f2=finger,finger=8,owner=f1; kinds: auto, finger, butt, half_lap, tab_slot, none</source>
+        <translation>辺ごとの別の継手(例: e5=butt、f1:f2=finger,finger=8,owner=f1)。種類: auto, finger, butt, half_lap, tab_slot, none</translation>
+    </message>
+    <message>
+        <source>Parallel</source>
+        <translation>平行</translation>
+    </message>
+    <message>
+        <source>Photo</source>
+        <translation>写真</translation>
+    </message>
+    <message>
+        <source>Photo sketch</source>
+        <translation>写真スケッチ</translation>
+    </message>
+    <message>
+        <source>Photos</source>
+        <translation>写真</translation>
+    </message>
+    <message>
+        <source>Plates</source>
+        <translation>板</translation>
+    </message>
+    <message>
+        <source>Put another photo under the sketch; a photo can also be dropped on it or pasted</source>
+        <translation>スケッチの下の写真を差し替え。ドロップや貼り付けもできます</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>長方形</translation>
+    </message>
+    <message>
+        <source>Remove on face</source>
+        <translation>面上の指定を解除</translation>
+    </message>
+    <message>
+        <source>Remove right angle</source>
+        <translation>直角を解除</translation>
+    </message>
+    <message>
+        <source>Remove symmetry plane</source>
+        <translation>対称面を解除</translation>
+    </message>
+    <message>
+        <source>Replace photo</source>
+        <translation>写真を差し替え</translation>
+    </message>
+    <message>
+        <source>Replace photo...</source>
+        <translation>写真を差し替える…</translation>
+    </message>
+    <message>
+        <source>Right angle</source>
+        <translation>直角</translation>
+    </message>
+    <message>
+        <source>Room for a round cutter in corners that look inwards; a laser needs none</source>
+        <translation>内側の角に丸い刃のための逃げ。レーザーには不要</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>選択</translation>
+    </message>
+    <message>
+        <source>Set diameter</source>
+        <translation>直径を設定</translation>
+    </message>
+    <message>
+        <source>Set length</source>
+        <translation>長さを設定</translation>
+    </message>
+    <message>
+        <source>Set thickness</source>
+        <translation>厚さを設定</translation>
+    </message>
+    <message>
+        <source>Shelled solid</source>
+        <translation>中空の立体</translation>
+    </message>
+    <message>
+        <source>Shift-click more middles, then Enter or right click; Esc to give up</source>
+        <translation>Shift+クリックで中点を追加し、Enter または右クリック。Esc で中止</translation>
+    </message>
+    <message>
+        <source>Show the photo and the sketch over it; drag a vertex, and the model follows</source>
+        <translation>写真とスケッチを表示。頂点をドラッグするとモデルが追従します</translation>
+    </message>
+    <message>
+        <source>Show the plates apart, the way they are put together</source>
+        <translation>組み立てる向きに板を離して表示</translation>
+    </message>
+    <message>
+        <source>Show the whole photo (F)</source>
+        <translation>写真全体を表示 (F)</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>寸法</translation>
+    </message>
+    <message>
+        <source>Size of the stock</source>
+        <translation>板材の大きさ</translation>
+    </message>
+    <message>
+        <source>Size of the stock; 0 takes the smallest usual sheet that holds every plate</source>
+        <translation>板材の大きさ。0 なら全部の板が入る最小の規格</translation>
+    </message>
+    <message>
+        <source>Sketch &amp;tools</source>
+        <translation>スケッチツール(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Sketch tools</source>
+        <translation>スケッチツール</translation>
+    </message>
+    <message>
+        <source>Sketches (*.sketch.json);;All files (*)</source>
+        <translation>スケッチ (*.sketch.json);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Solved without {}.</source>
+        <translation>{} なしで解きました。</translation>
+    </message>
+    <message>
+        <source>Solved, but seen from below: check the ground vertices.</source>
+        <translation>解けましたが下から見ています。地面の頂点を確認してください。</translation>
+    </message>
+    <message>
+        <source>Solved, but {} contradicts the drawing: with it the drawing is missed by {} px, without it by {} px.</source>
+        <translation>解けましたが {} は図と矛盾します。あると {} px、ないと {} px 外れます。</translation>
+    </message>
+    <message>
+        <source>Solved, with a usual focal length assumed: the drawing does not tell it.</source>
+        <translation>標準的な焦点距離を仮定して解けました(図からは決まりません)。</translation>
+    </message>
+    <message>
+        <source>Solved.</source>
+        <translation>解けました。</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>正方形</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing is installed.</source>
+        <translation>中止しました。何もインストールされていません。</translation>
+    </message>
+    <message>
+        <source>Surface of revolution</source>
+        <translation>回転体</translation>
+    </message>
+    <message>
+        <source>Symmetry plane</source>
+        <translation>対称面</translation>
+    </message>
+    <message>
+        <source>Take all {} suggestions (Y)</source>
+        <translation>提案 {} 件をすべて採用 (Y)</translation>
+    </message>
+    <message>
+        <source>Take suggestions</source>
+        <translation>提案を採用</translation>
+    </message>
+    <message>
+        <source>Take the picture, or the picture file, that was copied last as the photo</source>
+        <translation>最後にコピーした画像または画像ファイルを写真にする</translation>
+    </message>
+    <message>
+        <source>That did not work:</source>
+        <translation>うまくいきませんでした:</translation>
+    </message>
+    <message>
+        <source>The drawing and the annotations are too far apart: check the annotations.</source>
+        <translation>図と注釈が離れすぎています。注釈を確認してください。</translation>
+    </message>
+    <message>
+        <source>The model that is hollowed out</source>
+        <translation>中空にするモデル</translation>
+    </message>
+    <message>
+        <source>The model that plates are made of</source>
+        <translation>板のもとになるモデル</translation>
+    </message>
+    <message>
+        <source>The photo, kept inside the document</source>
+        <translation>ドキュメントに保存された写真</translation>
+    </message>
+    <message>
+        <source>The sketch has no edges: draw the object's edges over the photo.</source>
+        <translation>スケッチに辺がありません。写真の上に物の辺を描いてください。</translation>
+    </message>
+    <message>
+        <source>The sketch that is lifted to 3D</source>
+        <translation>3D に起こすスケッチ</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>厚さ</translation>
+    </message>
+    <message>
+        <source>Thickness of the sheets, for faces that name none of their own</source>
+        <translation>板材の厚さ(面に指定がない場合)</translation>
+    </message>
+    <message>
+        <source>Thickness of the wall</source>
+        <translation>壁の厚さ</translation>
+    </message>
+    <message>
+        <source>This needs Python packages that are not installed: {}.
+They are put into FreeCAD's own folder, and may take some minutes and 2 GB.</source>
+        <translation>必要な Python パッケージがありません: {}。
+FreeCAD のフォルダーに入れます。数分と 2 GB かかることがあります。</translation>
+    </message>
+    <message>
+        <source>Tile the PDF on A4, A3 or letter pages</source>
+        <translation>PDF を A4、A3、レターに分割</translation>
+    </message>
+    <message>
+        <source>True where no length says how big the object is: its longest edge is 100 mm then</source>
+        <translation>長さの指定がないとき真。最長の辺を 100 mm とします</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>再試行</translation>
+    </message>
+    <message>
+        <source>Type a length, such as 210, 21 cm or 3/4 in</source>
+        <translation>長さを入力してください(例: 210、21 cm、3/4 in)</translation>
+    </message>
+    <message>
+        <source>Unknowns: {} before, {} with what is true</source>
+        <translation>未知数: 指定前 {}、指定後 {}</translation>
+    </message>
+    <message>
+        <source>View through photo</source>
+        <translation>写真を通して見る</translation>
+    </message>
+    <message>
+        <source>What fingers, play and kerf come to, in millimetres</source>
+        <translation>ほぞ、あそび、切り幅の結果(mm)</translation>
+    </message>
+    <message>
+        <source>What is true</source>
+        <translation>成り立つこと</translation>
+    </message>
+    <message>
+        <source>What the last recompute has to say</source>
+        <translation>最後の再計算の内容</translation>
+    </message>
+    <message>
+        <source>What the printer can print at once, in mm; 0 for unknown</source>
+        <translation>一度に印刷できる大きさ(mm)。0 は不明</translation>
+    </message>
+    <message>
+        <source>What the printer can print; thinner walls are refused</source>
+        <translation>印刷できる最小の厚さ。これより薄い壁は拒否</translation>
+    </message>
+    <message>
+        <source>What was drawn over the photo, as the text of a sketch file</source>
+        <translation>写真の上に描いた内容(スケッチファイルのテキスト)</translation>
+    </message>
+    <message>
+        <source>Where the direction that is up lies on the sheet</source>
+        <translation>上方向を板材のどちらに向けるか</translation>
+    </message>
+    <message>
+        <source>Where the material lies: inside means that the drawn faces are the outside</source>
+        <translation>材料の位置。inside なら描いた面が外側です</translation>
+    </message>
+    <message>
+        <source>Where the wall lies: inside means that the drawn faces are the outside</source>
+        <translation>壁の位置。inside なら描いた面が外側です</translation>
+    </message>
+    <message>
+        <source>Which end of a surface of revolution has no wall</source>
+        <translation>回転体のどちらの端を開けるか</translation>
+    </message>
+    <message>
+        <source>Write the plates as DXF, SVG, STEP and plates.json into a folder</source>
+        <translation>板を DXF、SVG、STEP、plates.json としてフォルダーに書き出す</translation>
+    </message>
+    <message>
+        <source>a lifted model</source>
+        <translation>起こしたモデル</translation>
+    </message>
+    <message>
+        <source>a photo sketch</source>
+        <translation>写真スケッチ</translation>
+    </message>
+    <message>
+        <source>a plate set</source>
+        <translation>板のセット</translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation>と</translation>
+    </message>
+    <message>
+        <source>choose a lifted model</source>
+        <translation>起こしたモデルを選択してください</translation>
+    </message>
+    <message>
+        <source>choose a photo sketch</source>
+        <translation>写真スケッチを選択してください</translation>
+    </message>
+    <message>
+        <source>follows from the drawing and the other dimensions</source>
+        <translation>図と他の寸法から決まります</translation>
+    </message>
+    <message>
+        <source>key {} in the sketch</source>
+        <translation>スケッチでキー {}</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <translation>または</translation>
+    </message>
+    <message>
+        <source>select {} first</source>
+        <translation>先に{}を選択してください</translation>
+    </message>
+    <message>
+        <source>the Python package {0} is missing; install it with FreeCAD's Addon Manager, or with: {1} -m pip install --target {2} {0}</source>
+        <translation>Python パッケージ {0} がありません。FreeCAD のアドオンマネージャーか次のコマンドでインストールしてください: {1} -m pip install --target {2} {0}</translation>
+    </message>
+    <message>
+        <source>there is no picture in the clipboard; copy one first</source>
+        <translation>クリップボードに画像がありません。先にコピーしてください</translation>
+    </message>
+    <message>
+        <source>type a value or an expression</source>
+        <translation>値または式を入力</translation>
+    </message>
+    <message>
+        <source>waits for {}</source>
+        <translation>{} を待っています</translation>
+    </message>
+    <message>
+        <source>{0} cannot hold together with {1}: try removing {0}.</source>
+        <translation>{0} は {1} と両立しません。{0} を外してみてください。</translation>
+    </message>
+    <message>
+        <source>{0} cannot hold: try removing {0}.</source>
+        <translation>{0} は成り立ちません。{0} を外してみてください。</translation>
+    </message>
+    <message>
+        <source>{0}: edge {1}, from {2} to {3}</source>
+        <translation>{0}: 辺 {1}({2} から {3})</translation>
+    </message>
+    <message>
+        <source>{:.1f} cm3 of material</source>
+        <translation>材料 {:.1f} cm3</translation>
+    </message>
+    <message>
+        <source>{} cannot all hold: take one of them away.</source>
+        <translation>{} はすべて同時には成り立ちません。どれか一つを外してください。</translation>
+    </message>
+    <message>
+        <source>{} cannot hold together with the rest: check the worst first.</source>
+        <translation>{} は残りと両立しません。最も悪いものから確認してください。</translation>
+    </message>
+    <message>
+        <source>{} contradicts the rest: with it the drawing is missed by {} px, without it by {} px.</source>
+        <translation>{} は残りと矛盾します。あると図から {} px、ないと {} px 外れます。</translation>
+    </message>
+    <message>
+        <source>{} freedom left: add a right angle, parallel or ground vertex at {}.</source>
+        <translation>自由度が {} 残っています。{} に直角、平行、地面の指定を加えてください。</translation>
+    </message>
+    <message>
+        <source>{} freedoms left: add a right angle, parallel or ground vertex at {}.</source>
+        <translation>自由度が {} 残っています。{} に直角、平行、地面の指定を加えてください。</translation>
+    </message>
+    <message>
+        <source>{} had been opened or saved without this addon and had lost what makes them follow the sketch; they have it again</source>
+        <translation>{} はこのアドオンなしで開くか保存され、スケッチに追従しなくなっていました。元に戻しました</translation>
+    </message>
+    <message>
+        <source>{} is not there; use the command below.</source>
+        <translation>{} がありません。下のコマンドを使ってください。</translation>
+    </message>
+    <message>
+        <source>{} plates</source>
+        <translation>板 {} 枚</translation>
+    </message>
+    <message>
+        <source>{} vertices, {} edges, {} annotations</source>
+        <translation>頂点 {}、辺 {}、注釈 {}</translation>
+    </message>
+    <message>
+        <source>{} was saved by a newer version of this addon; what it added is left as it is</source>
+        <translation>{} は新しい版のアドオンで保存されました。追加された内容はそのまま残ります</translation>
+    </message>
+</context>
+</TS>

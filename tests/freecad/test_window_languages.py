@@ -1,0 +1,55 @@
+"""The workbench in German and Japanese, as FreeCAD's window loads it."""
+
+import FreeCADGui
+import pytest
+
+from incontext.tests.freecad.hands import pump
+from incontext.workbench import host
+from incontext.workbench.panels.wording import SENTENCES, in_language
+
+
+@pytest.fixture
+def language():
+    yield FreeCADGui.setLocale
+    FreeCADGui.setLocale("English")
+    pump()
+
+
+@pytest.mark.parametrize(
+    ("name", "line", "freedoms"),
+    [
+        ("German", "Linie zeichnen", "Noch 2 Freiheiten: bitte einen rechten Winkel, eine "),
+        ("Japanese", "線を描く", "自由度が 2 残っています。v1、v2"),
+        ("English", "Draw line", "2 freedoms left: add a right angle"),
+    ],
+)
+def test_words_are_in_the_persons_language(language, name, line, freedoms):
+    language(name)
+    assert host.translate("InContext", "Draw line") == line
+    words = "2 freedoms left: add a right angle, parallel or ground vertex at v1, v2 and v3."
+    assert in_language(words)[:16] == freedoms.replace("、v2", ", v2")[:16]
+    assert "v3" in in_language(words)
+
+
+def test_sentences_of_the_solver_are_known_in_german(language):
+    language("German")
+    said = (
+        "a4, a1 and a2 cannot all hold: take one of them away.",
+        "Solved, but a3 contradicts the drawing: with it the drawing is missed by 12 px, "
+        "without it by 1.5 px.",
+        "a3 cannot hold together with a1 and a2: try removing a3.",
+        "Solved. Its sizes are unsure: mark more, give a length, or trace something real in the "
+        "photo.",
+    )
+    for words in said:
+        german = in_language(words)
+        assert german != words
+        assert "und" in german or "and" not in german
+    assert "a1 und a2" in in_language(said[2])
+    assert in_language("Something new.") == "Something new."
+
+
+def test_every_sentence_comes_back_from_its_pattern():
+    for source in SENTENCES:
+        words = source.replace("{0}", "a1").replace("{1}", "a2").replace("{}", "7")
+        assert in_language(words) == words

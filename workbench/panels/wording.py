@@ -1,0 +1,76 @@
+"""What the solver says, in the person's language.
+
+The solver knows no languages: its sentences are English, with numbers and ids in them. Here the
+known ones are told by their pattern, and put together again from their translation.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+
+from .. import host
+
+#: Sentences with a place `{}` for each number, id or list of ids.
+SENTENCES = (
+    "Solved.",
+    "Solved, but seen from below: check the ground vertices.",
+    "Solved, with a usual focal length assumed: the drawing does not tell it.",
+    "Its sizes are unsure: mark more, give a length, or trace something real in the photo.",
+    "{} freedom left: add a right angle, parallel or ground vertex at {}.",
+    "{} freedoms left: add a right angle, parallel or ground vertex at {}.",
+    "{} cannot hold together with the rest: check the worst first.",
+    "{} cannot all hold: take one of them away.",
+    "{0} cannot hold: try removing {0}.",
+    "{0} cannot hold together with {1}: try removing {0}.",
+    "{} contradicts the rest: with it the drawing is missed by {} px, without it by {} px.",
+    "Solved, but {} contradicts the drawing: with it the drawing is missed by {} px, "
+    "without it by {} px.",
+    "Solved without {}.",
+    "The drawing and the annotations are too far apart: check the annotations.",
+    "No shape was found in which all annotations hold: mark more right angles, parallels or "
+    "ground vertices, or check {}.",
+    "No 3D shape fits this drawing; check the annotations against it.",
+    "The sketch has no edges: draw the object's edges over the photo.",
+    "All vertices lie on one line: draw edges in at least two directions.",
+)
+#: The words between the last two ids of a list.
+JOINTS = ("and", "or")
+
+_PLACE = re.compile(r"\{(\d*)\}")
+_ENDS = re.compile(r"(?<=[.!?])\s+(?=[A-Zac-z])")
+
+
+def in_language(words: str) -> str:
+    """Sentences of the solver in the person's language; others stay as they are."""
+    return " ".join(map(_sentence, _ENDS.split(words)))
+
+
+def _sentence(words: str) -> str:
+    for source in SENTENCES:
+        found = _pattern(source).fullmatch(words)
+        if found:
+            parts = [_ids(part) for part in found.groups()]
+            return host.translate("InContext", source).format(*parts)
+    return words
+
+
+@lru_cache(maxsize=len(SENTENCES))
+def _pattern(source: str) -> re.Pattern[str]:
+    """A sentence with anything in its places, and the same where a place comes again."""
+    pattern, number = "", 0
+    for k, part in enumerate(_PLACE.split(source)):
+        if k % 2 == 0:
+            pattern += re.escape(part)
+        elif part and int(part) < number:
+            pattern += rf"\{int(part) + 1}"
+        else:
+            number += 1
+            pattern += "(.+?)"
+    return re.compile(pattern)
+
+
+def _ids(words: str) -> str:
+    for joint in JOINTS:
+        words = words.replace(f" {joint} ", f" {host.translate('InContext', joint)} ")
+    return words

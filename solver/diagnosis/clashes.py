@@ -100,7 +100,8 @@ class _Search:
         found = []
         while parts:
             part = parts.pop(0)
-            if self.agree(k for k in self.said if k not in part):
+            left_out = set(part)
+            if self.agree(k for k in self.said if k not in left_out):
                 if len(part) == 1:
                     found += part
                 else:

@@ -1,8 +1,9 @@
 """Every choice about plates and prints as a property, and mistakes told in words."""
 
+import Part
 import pytest
 
-from incontext.workbench.features.exports import export_plates
+from incontext.workbench.features.exports import export_plates, export_print
 from incontext.workbench.features.plate_set import joined_of
 from incontext.workbench.features.shelled_solid import make_shelled_solid
 
@@ -103,3 +104,18 @@ def test_a_solid_without_hollow_and_a_bed(shelf, document):
     document.recompute()
     assert solid.Status == "not_made"
     assert "thinner than the least wall of 3 mm" in solid.Message
+
+
+def test_a_print_is_written_for_the_slicer(shelf, document, tmp_path):
+    import Mesh
+
+    solid = make_shelled_solid(document, shelf[1])
+    document.recompute()
+    names = {path.name for path in export_print(solid, tmp_path / "new", "shelf")}
+    assert names == {"shelf.stl", "shelf.3mf", "shelf.step"}
+    mesh = Mesh.Mesh(str(tmp_path / "new" / "shelf.stl"))
+    assert mesh.isSolid()
+    assert mesh.Volume == pytest.approx(solid.Shape.Volume, rel=1e-5)
+    assert Part.read(str(tmp_path / "new" / "shelf.step")).Volume == pytest.approx(
+        solid.Shape.Volume, rel=1e-9
+    )

@@ -21,7 +21,7 @@ class MakePlates(Command):
         "properties of the result"
     )
     SHORTCUT = "I, P"
-    NEEDS = ("numpy", "scipy", "shapely")
+    NEEDS = ("numpy", "scipy", "shapely", "manifold3d")
 
     def IsActive(self) -> bool:  # noqa: N802  FreeCAD's name
         """With a lifted model in the document, or a sketch to lift first."""

@@ -275,13 +275,18 @@ def _swept(plate: Plate, move: Array) -> manifold3d.Manifold:
         low = _SHRINK_MM + min(0.0, float(local[2]))
         body = _prism(polygon, thin + abs(float(local[2]))).translate([0, 0, low])
         return body.transform(plate.world_from_plate[:3])
-    hulls = []
-    for triangle in shapely.get_parts(shapely.constrained_delaunay_triangles(polygon)):
-        flat = np.array(triangle.exterior.coords)[:3]
-        corners = np.vstack(
+    rings = [
+        np.array(ring.coords)[:-1]
+        for part in map(shapely.geometry.polygon.orient, shapely.get_parts(polygon))
+        for ring in (part.exterior, *part.interiors)
+    ]
+    corners, hulls = np.vstack(rings), []
+    for triangle in np.asarray(manifold3d.triangulate(rings), dtype=int):
+        flat = corners[triangle]
+        ends = np.vstack(
             [np.column_stack([flat, np.full(3, z)]) for z in (_SHRINK_MM, _SHRINK_MM + thin)]
         )
-        hulls.append(manifold3d.Manifold.hull_points(np.vstack([corners, corners + local])))
+        hulls.append(manifold3d.Manifold.hull_points(np.vstack([ends, ends + local])))
     swept = manifold3d.Manifold.batch_boolean(hulls, manifold3d.OpType.Add)
     return swept.transform(plate.world_from_plate[:3])
 

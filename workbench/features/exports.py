@@ -1,4 +1,4 @@
-"""The files of a plate set: what a laser cutter, another CAD program or a script needs."""
+"""The files of plates and prints: what a cutter, a slicer, another program or a script needs."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
+from .. import host
 from .plate_set import joined_of, settings_of, shop_settings_of
 
 
@@ -72,3 +73,46 @@ def _step_bytes(plates: tuple[Any, ...]) -> bytes:
         path = Path(folder, "plates.step")
         plates_shape(plates).exportStep(str(path))
         return path.read_bytes()
+
+
+def export_print(shelled_solid: Any, folder: Path, name: str) -> tuple[Path, ...]:
+    """Write a shelled solid as STL, 3MF and STEP: all of them or none.
+
+    Parameters
+    ----------
+    shelled_solid : FreeCAD document object
+    folder : Path
+        Made where it is missing.
+    name : str
+        What stands before the endings, and the solid's name in the 3MF.
+
+    Returns
+    -------
+    tuple of Path
+
+    Raises
+    ------
+    SketchError, FabricationError
+        Where there is no solid, or the folder cannot be written.
+    """
+    from ...solver.files import write_files
+    from . import pipeline
+    from .dimensions import driven_text
+    from .shelled_solid import settings_of as shell_settings_of
+
+    settings = shell_settings_of(shelled_solid)
+    model = pipeline.model_of(driven_text(shelled_solid.LiftedModel), settings.wall_mm)
+    with host.own_packages_first():
+        from ..fabrication import shell_solid
+        from ..fabrication.meshes import mesh_of, stl_bytes, threemf_bytes
+        from ..fabrication.solids import shape_step_bytes
+
+        solid = shell_solid(model, settings)
+        mesh = mesh_of(solid, settings.tolerance_mm)
+        contents = {
+            folder / f"{name}.stl": stl_bytes(mesh),
+            folder / f"{name}.3mf": threemf_bytes(mesh, name),
+            folder / f"{name}.step": shape_step_bytes(solid, name),
+        }
+    write_files(contents)
+    return tuple(contents)

@@ -172,22 +172,29 @@ class PlateSet(Proxy):
 
 
 def _show(obj: Any, joined: Joined) -> None:
-    from ..fabrication.assembly import LockedError, exploded
     from .shapes import plates_shape
 
-    count = len(joined.plates)
-    words = [host.translate("InContext", "{} plates").format(count), *joined.notes]
-    plates = joined.plates
-    try:
-        steps = tuple(step.words for step in pipeline.steps_of(joined))
-        plates = exploded(plates) if obj.Exploded else plates
-    except LockedError as error:
-        steps = (str(error),)
-        words += steps
+    plates, steps, locked = _put_together(joined, exploded=obj.Exploded)
+    words = [host.translate("InContext", "{} plates").format(len(plates)), *joined.notes]
     _set_lines(obj, "Assembly", steps)
     obj.Shape = plates_shape(plates)
-    obj.PlateCount = count
-    set_outcome(obj, "made", "; ".join(words))
+    obj.PlateCount = len(plates)
+    set_outcome(obj, "made", "; ".join([*words, *locked]))
+
+
+def _put_together(
+    joined: Joined, *, exploded: bool
+) -> tuple[tuple[Any, ...], tuple[str, ...], tuple[str, ...]]:
+    """The plates where they are shown, the steps to them, and why there are none."""
+    try:
+        steps = tuple(step.words for step in pipeline.steps_of(joined))
+        if not exploded:
+            return joined.plates, steps, ()
+        from ..fabrication.assembly import exploded as apart
+
+        return apart(joined.plates), steps, ()
+    except known_problems() as error:
+        return joined.plates, (in_words(error),), (in_words(error),)
 
 
 def _set_lines(obj: Any, name: str, lines: tuple[str, ...]) -> None:

@@ -77,6 +77,18 @@ def test_from_a_sketch_file_to_files_to_cut(document, shelf_path, tmp_path, monk
     assert (tmp_path / "Test.dxf").is_file()
 
 
+def test_from_a_model_to_files_to_print(document, shelf_path, tmp_path, monkeypatch):
+    from incontext.workbench.commands.import_sketch import imported
+    from incontext.workbench.panels import asking
+
+    imported(document, shelf_path)
+    FreeCADGui.runCommand("InContext_Lift")
+    FreeCADGui.runCommand("InContext_MakeShell")
+    monkeypatch.setattr(asking, "ask_for_folder", lambda title: tmp_path)
+    FreeCADGui.runCommand("InContext_ExportPrint")
+    assert {path.name for path in tmp_path.iterdir()} == {"Test.stl", "Test.3mf", "Test.step"}
+
+
 def test_photo_that_is_none_is_told(document, shelf_path, monkeypatch):
     from incontext.workbench.panels import asking, messages
 

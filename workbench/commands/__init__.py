@@ -5,6 +5,7 @@ from __future__ import annotations
 from .base import Command
 from .edit_sketch import EditSketch
 from .export_plates import ExportPlates
+from .export_print import ExportPrint
 from .import_sketch import ImportSketch
 from .lift import Lift
 from .make_plates import MakePlates
@@ -27,6 +28,7 @@ COMMANDS: tuple[type[Command], ...] = (
     MakePlates,
     MakeShell,
     ExportPlates,
+    ExportPrint,
 )
 
 #: Where toolbar and menu have a line between two groups: before these.

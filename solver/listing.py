@@ -75,17 +75,26 @@ def choices(graph: SketchGraph, found: Faces) -> dict[str, Face]:
     """The faces of which something can be said, by id: those listed, then those only found.
 
     Found ones that are not listed get ids that nothing has yet. Loops with mirrored corners are
-    no choice: a sketch cannot name them.
+    no choice: a sketch cannot name them. Where nothing is listed yet and some loops have both,
+    there is no choice at all: with a list, these faces would be lost.
     """
     drawn = {id_: face for id_, face in found.items() if _is_drawn(graph, face)}
     if graph.faces is None:
-        return drawn
+        return {} if has_half_drawn(graph, found) else drawn
     all_ = dict(graph.faces)
     known = {_key(face) for face in all_.values()}
     for face in drawn.values():
         if _key(face) not in known:
             all_[fresh_id("f", all_)] = face
     return all_
+
+
+def has_half_drawn(graph: SketchGraph, found: Faces) -> bool:
+    """Whether some found loops have both drawn and other, mirrored corners."""
+    loops = (face.loop for face in found.values())
+    return any(
+        any("@" in v for v in loop) and any(v in graph.vertices for v in loop) for loop in loops
+    )
 
 
 def set_included(graph: SketchGraph, choice: Choice, included: bool) -> SketchGraph:

@@ -1,5 +1,6 @@
 """Leaving faces out and making them thick, by clicks in their middles."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -8,6 +9,7 @@ import pytest
 from incontext.solver import load_sketch, solve
 from incontext.solver.graph import Face
 from incontext.tests.canvas.test_tools import Hand
+from incontext.tests.test_symmetry import half_of_a_box
 from incontext.workbench.canvas.questions import About
 from incontext.workbench.canvas.solved import Solved
 
@@ -16,8 +18,6 @@ SHELF = Path(__file__).parent.parent / "data" / "shelf.sketch.json"
 
 @pytest.fixture(scope="module")
 def shelf():
-    from dataclasses import replace
-
     return replace(load_sketch(SHELF), faces=None)
 
 
@@ -59,8 +59,6 @@ def test_a_click_in_a_face_leaves_it_out_and_another_takes_it_back(shelf, solved
 
 
 def test_a_loop_that_is_not_listed_is_listed_by_a_click(shelf, solved):
-    from dataclasses import replace
-
     fewer = replace(shelf, faces={"f1": Face(FRONT)})
     hand = hand_with(fewer, solved, "leave_out")
     click(hand, ("v2", "v3", "v7", "v6"))
@@ -93,3 +91,16 @@ def test_faces_stay_to_be_clicked_while_the_drawing_goes_on(shelf, solved):
     hand.drawing.use("leave_out")
     click(hand, FRONT)
     assert "v9" not in {v for f in hand.graph.faces.values() for v in f.loop}
+
+
+def test_faces_with_mirrored_corners_are_not_lost_in_a_list():
+    graph, _ = half_of_a_box()
+    graph = replace(graph, faces=None)
+    solved = Solved(graph, solve(graph))
+    assert any("@" in v for face in solved.found.values() for v in face.loop)
+    hand = hand_with(graph, solved, "leave_out")
+    assert "hidden edges" in hand.drawing.tool.hint
+    for face in solved.solution.faces.values():
+        if all(v in graph.vertices for v in face.loop):
+            click(hand, face.loop)
+    assert hand.words == []

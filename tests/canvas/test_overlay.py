@@ -22,12 +22,13 @@ def graph():
     return SketchGraph(vertices=SQUARE, edges=edges)
 
 
-def painted(graph, findings=None, preview=None, selection=None):
+def painted(graph, findings=None, preview=None, selection=None, numbers=None):
     image = QtGui.QImage(200, 200, QtGui.QImage.Format_RGB32)
     image.fill(QtGui.QColor("#808080"))
     painter = QtGui.QPainter(image)
     findings = findings or overlay.Findings()
-    scene = overlay.Scene(graph, marks_of(graph), dict(graph.vertices), {}, findings)
+    places = dict(graph.vertices)
+    scene = overlay.Scene(graph, marks_of(graph), places, {}, findings, numbers=numbers or {})
     work = previews.Work(preview or Preview(), selection or Selection(), lambda point: point)
     previews.paint_below(painter, scene, work)
     overlay.paint(painter, scene)
@@ -151,3 +152,10 @@ def test_circle_is_painted(graph):
     image = view.grab().toImage()
     place = view.mapFromScene(100, 120)
     assert has(image, style.EDGE, place.x(), place.y(), reach=2)
+
+
+def test_parameter_numbers_stand_beside_their_vertices(graph):
+    image = painted(graph, numbers={"v3": 2, "v4": 0})
+    assert has(image, style.NUMBER, 172, 143, reach=4)
+    assert has(image, style.NO_NUMBER, 52, 143, reach=4)
+    assert not has(image, style.NUMBER, 172, 30, reach=8)

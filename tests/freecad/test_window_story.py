@@ -117,6 +117,26 @@ def test_keys_take_tools_and_the_buttons_show_it(person):
     assert down() == ["InContext_ToolSelect"]
 
 
+def test_parameter_numbers_are_shown_by_a_key_and_by_a_button(person):
+    person.press("r")
+    person.drag(person.at("t0"), person.at("g1"))
+    assert person.view.numbers.of(person.view.graph) == {}
+    person.press("n")
+    # The fourth corner follows from the others.
+    assert sorted(person.view.numbers.of(person.view.graph).values())[0] == 0
+    person.push("InContext_Numbers")
+    assert person.view.numbers.of(person.view.graph) == {}
+
+
+def test_the_button_makes_construction_of_what_is_selected(person, document):
+    person.press("r")
+    person.drag(person.at("t0"), person.at("g1"))
+    person.press("ctrl+a")
+    person.push("InContext_Construction")
+    assert len(person.view.graph.construction) == 4
+    assert document.UndoNames[0] == "Change construction"
+
+
 def test_delete_removes_what_is_selected_and_nothing_else(person, document):
     person.press("r")
     person.drag(person.at("t0"), person.at("g1"))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -11,7 +11,7 @@ from ...solver.annotations import targets_of
 from . import style, symbols
 from .marks import Marks
 from .plane import middle
-from .plaques import paint_plaques
+from .plaques import paint_numbers, paint_plaques
 from .qt import QtCore, QtGui
 from .symmetry import outline_of
 
@@ -43,6 +43,8 @@ class Scene:
     findings : Findings
     rings : tuple of lines
         Of surfaces of revolution, see `turning.rings_of`.
+    numbers : mapping of vertex to number
+        How many parameters each has, where that is shown ([Lau10] Figure 5).
     """
 
     graph: SketchGraph
@@ -51,6 +53,7 @@ class Scene:
     circles: dict[str, Stroke] = field(default_factory=dict)
     findings: Findings = Findings()
     rings: tuple[Stroke, ...] = ()
+    numbers: Mapping[str, int] = field(default_factory=dict)
 
     def ends(self, edge: str) -> tuple[Point, Point]:
         """Screen positions of an edge's two ends."""
@@ -72,6 +75,7 @@ def paint(painter: QtGui.QPainter, scene: Scene) -> None:
     _paint_vertices(painter, scene)
     _paint_touching(painter, scene)
     paint_plaques(painter, scene)
+    paint_numbers(painter, scene)
 
 
 def _paint_left_out(painter: QtGui.QPainter, scene: Scene) -> None:

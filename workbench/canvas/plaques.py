@@ -1,4 +1,4 @@
-"""Paints sizes as text on white plaques: lengths, diameters, thicknesses."""
+"""Paints what is said in numbers: sizes on white plaques, parameters beside vertices."""
 
 from __future__ import annotations
 
@@ -37,6 +37,26 @@ def paint_plaques(painter: QtGui.QPainter, scene: Scene) -> None:
     for face, text in marks.thicknesses.items():
         loop = (scene.graph.faces or {})[face].loop
         _plaque(painter, text, middle([scene.screen[v] for v in loop]))
+
+
+def paint_numbers(painter: QtGui.QPainter, scene: Scene) -> None:
+    """Paint beside each vertex how many parameters it has; those with none are pale."""
+    if not scene.numbers:
+        return
+    font = painter.font()
+    font.setPixelSize(style.TEXT_PX)
+    font.setBold(True)
+    painter.setFont(font)
+    side = style.TEXT_PX + 4
+    for vertex, number in scene.numbers.items():
+        if vertex not in scene.screen:
+            continue
+        x, y = scene.screen[vertex]
+        badge = QtCore.QRectF(x + style.BADGE_PX, y - style.BADGE_PX - side, side, side)
+        painter.setPen(QtGui.QPen(QtGui.QColor(style.CASING), 1.5))
+        painter.setBrush(QtGui.QColor(style.NUMBER if number else style.NO_NUMBER))
+        painter.drawEllipse(badge)
+        painter.drawText(badge, _Qt.AlignCenter, str(number))
 
 
 def _room(painter: QtGui.QPainter, text: str) -> Point:

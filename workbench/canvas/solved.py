@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ...solver.geometry import cross
-from ...solver.listing import choices, found_faces
+from ...solver.listing import choices, found_faces, has_half_drawn
 from .plane import Point, is_inside, middle
 
 if TYPE_CHECKING:
@@ -100,6 +100,13 @@ def face_choices(graph: SketchGraph, solved: Solved | None) -> dict[str, Face]:
     Loops of a solution that is older than the drawing are there while all their vertices are.
     """
     return choices(graph, {} if solved is None else solved.found)
+
+
+def why_no_faces(graph: SketchGraph, solved: Solved | None) -> str:
+    """Why there are no faces to say something of, as a hint."""
+    if solved is not None and has_half_drawn(graph, solved.found):
+        return "Some faces are half mirrored: draw their hidden edges too, then faces can be chosen"
+    return "Faces are known once the sketch is solved: the line below says what is missing"
 
 
 def outline(graph: SketchGraph, loop: Iterable[str]) -> tuple[Point, ...]:

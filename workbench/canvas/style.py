@@ -24,6 +24,9 @@ CONFLICT = "#ff0022"
 TEXT = "#2e3436"
 LEFT_OUT = "#1769c9"
 OUTSIDE = "#5c6066"
+NUMBER = "#5c3a86"
+"""Of a vertex that has parameters; one without is grey."""
+NO_NUMBER = "#8c9196"
 GHOST = "#6a3fb5"
 """Of what is suggested."""
 LIFTED = "#39b6a8"
@@ -56,6 +59,7 @@ SNAP_PX = 7.0
 DOT_PX = 3.0
 GRIP_PX = 7.0
 DIAMOND_PX = 4.5
+BADGE_PX = 3.0
 HATCH_PX = 11.0
 FINE_PX = 1.3
 """Of lines that explain: guides, axes, the circles that a side's points stand for."""

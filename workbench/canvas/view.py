@@ -13,6 +13,7 @@ from .length_editor import LengthEditor
 from .lift_painting import paint_lift
 from .lifted import LiftedView
 from .marks import Marks, marks_of
+from .numbers import Numbers
 from .photo_giving import photo_in
 from .photo_view import PhotoView
 from .plane import middle
@@ -74,6 +75,8 @@ class SketchView(PhotoView):
         self.invitation = ""
         #: Puts a word into the person's language.
         self.in_words: Callable[[str], str] = str
+        #: How many parameters each vertex has.
+        self.numbers = Numbers()
         self._findings = overlay.Findings()
         self._hint = ""
         self._lifted = LiftedView()
@@ -167,6 +170,15 @@ class SketchView(PhotoView):
         """Take the last good solution: for faces, the camera and what is hidden."""
         self._drawing.set_solved(solved)
 
+    def toggle_construction(self) -> None:
+        """Make what is selected construction, or part of the object again."""
+        self._drawing.toggle_construction()
+
+    def toggle_numbers(self) -> None:
+        """Show how many parameters each vertex has, or no longer."""
+        self.numbers.toggle()
+        self.viewport().update()
+
     @property
     def tool_name(self) -> str:
         """The tool at work."""
@@ -208,7 +220,8 @@ class SketchView(PhotoView):
         painter.resetTransform()
         paint_lift(painter, self._lifted, on_screen)
         rings = tuple(tuple(map(on_screen, line)) for line in turning.rings_of(graph))
-        scene = overlay.Scene(graph, self._marks(), screen, circles, self._findings, rings)
+        numbers, findings = self.numbers.of(graph), self._findings
+        scene = overlay.Scene(graph, self._marks(), screen, circles, findings, rings, numbers)
         work = previews.Work(
             self._drawing.preview, self._drawing.selection, on_screen, self.in_words
         )
@@ -314,7 +327,8 @@ class SketchView(PhotoView):
             "all": self._select_all,
             "paste": self._paste,
             "suggestions": self.take_suggestions,
-            "construction": self._drawing.toggle_construction,
+            "construction": self.toggle_construction,
+            "numbers": self.toggle_numbers,
         }.get(meaning)
         if action is None:
             super().keyPressEvent(event)

@@ -8,6 +8,7 @@ from .. import host
 from ..features.photo_sketch import is_photo_sketch
 from .base import Command
 from .choosing import chosen, objects_of
+from .tab_commands import TAB_COMMANDS
 
 
 class ToolCommand(Command):
@@ -244,7 +245,8 @@ def register_tools() -> list[str]:
     """
     import FreeCADGui
 
-    for command in TOOL_COMMANDS:
+    for command in (*TOOL_COMMANDS, *TAB_COMMANDS):
         FreeCADGui.addCommand(command.NAME, command())
     names = [command.NAME for command in TOOL_COMMANDS]
-    return [*names[:FIRST], "Separator", *names[FIRST:]]
+    others = [command.NAME for command in TAB_COMMANDS]
+    return [*names[:FIRST], "Separator", *names[FIRST:], "Separator", *others]

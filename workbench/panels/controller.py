@@ -31,6 +31,8 @@ from .sketch_tab import SketchTab
 from .wording import in_language
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from ...solver.graph import SketchGraph
     from ...solver.solution import Solution
     from ..canvas.qt import QtGui
@@ -53,6 +55,7 @@ class SketchController:
         #: Told of every new lift.
         self.on_news: Callable[[], None] = lambda: None
         self._solved: Solved | None = None
+        self.tab.view.numbers.count = _parameters_of
         self.tab.view.graph_edited.connect(self.write)
         self.tab.view.undo_asked.connect(self.undo)
         self.tab.view.redo_asked.connect(self.redo)
@@ -266,6 +269,13 @@ class SketchController:
         if solution.status.value == "converged":
             self._solved = Solved(graph, solution)
         self.tab.view.set_solved(self._solved)
+
+
+def _parameters_of(graph: SketchGraph) -> Mapping[str, int]:
+    """How many parameters each vertex of a graph has."""
+    from ...solver.counts import parameter_counts
+
+    return parameter_counts(graph).of_vertex
 
 
 def _dependents(obj: Any) -> list[Any]:

@@ -8,13 +8,11 @@ from ....solver.listing import set_included
 from ..plane import middle
 from ..preview import Preview
 from ..questions import About, Question
-from ..solved import face_at, outline
+from ..solved import face_at, outline, why_no_faces
 from .base import Pointer, Tool
 
 if TYPE_CHECKING:
     from ..drawing import Drawing
-
-_NOTHING_YET = "Faces are known once the sketch is solved: the line below says what is missing"
 
 
 class FaceTool(Tool):
@@ -55,7 +53,7 @@ class LeaveOutTool(FaceTool):
     def hint(self) -> str:
         """See `Tool`."""
         if not self.drawing.faces:
-            return _NOTHING_YET
+            return why_no_faces(self.drawing.committed, self.drawing.solved)
         return "Click in the middle of a face that stays open; click again to close it"
 
     def _take(self, face: str) -> None:
@@ -77,7 +75,7 @@ class ThicknessTool(FaceTool):
     def hint(self) -> str:
         """See `Tool`."""
         if not self.drawing.faces:
-            return _NOTHING_YET
+            return why_no_faces(self.drawing.committed, self.drawing.solved)
         return "Click in the middle of a face, type its thickness and Enter; empty: as the others"
 
     def _take(self, face: str) -> None:

@@ -10,7 +10,7 @@ from ....solver.editing import delete
 from ....solver.listing import with_list
 from ..hit_testing import vertex_at
 from ..preview import Preview, Selection
-from ..solved import face_at, outline
+from ..solved import face_at, outline, why_no_faces
 from .base import Pointer, Tool
 
 if TYPE_CHECKING:
@@ -37,7 +37,7 @@ class OnFaceTool(Tool):
         if self._vertex is None:
             return "Click a vertex that touches a face"
         if not self._faces():
-            return "No face is known yet: close a loop of edges with right angles, or list faces"
+            return why_no_faces(self.drawing.committed, self.drawing.solved)
         return "Click in the middle of the face that it touches; Esc to give up"
 
     def _faces(self) -> dict[str, Face]:

@@ -1,0 +1,80 @@
+"""Commands for the sketch in the tab at the front that are no tools: all in TAB_COMMANDS."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, ClassVar
+
+from .. import host
+from .base import Command
+
+if TYPE_CHECKING:
+    from ..canvas.view import SketchView
+
+
+class TabCommand(Command):
+    """Does something in the tab at the front; its key is the tab's own, as the tools' are."""
+
+    KEY: ClassVar[str]
+
+    def GetResources(self) -> dict[str, str]:  # noqa: N802  FreeCAD's names
+        """See `Command`."""
+        resources = super().GetResources()
+        in_sketch = host.translate("InContext", "key {} in the sketch")
+        resources["ToolTip"] += f" ({in_sketch.format(self.KEY)})"
+        return resources
+
+    def IsActive(self) -> bool:  # noqa: N802
+        """With a sketch's tab at the front."""
+        from ..panels.tabs import active_tab
+
+        return active_tab() is not None
+
+    def run(self) -> None:
+        """See the class."""
+        from ..panels.tabs import active_tab
+
+        controller = active_tab()
+        if controller is not None:
+            self.act(controller.tab.view)
+            controller.tab.view.setFocus()
+
+    def act(self, view: SketchView) -> None:
+        """Do it."""
+        raise NotImplementedError
+
+
+class Construction(TabCommand):
+    """Make the selection construction, or part of the object again."""
+
+    NAME = "InContext_Construction"
+    ICON = "InContext_Construction"
+    KEY = "X"
+    MENU_TEXT = "Construction"
+    TOOLTIP = (
+        "Make the selected edges and circles construction: traced on what is in the photo, no "
+        "part of the object; or part of it again"
+    )
+
+    def act(self, view: SketchView) -> None:
+        """See `TabCommand`."""
+        view.toggle_construction()
+
+
+class Numbers(TabCommand):
+    """Show how many parameters each vertex has."""
+
+    NAME = "InContext_Numbers"
+    ICON = "InContext_Numbers"
+    KEY = "N"
+    MENU_TEXT = "Parameter numbers"
+    TOOLTIP = (
+        "Show at each vertex how many of its three coordinates are still its own: what is said "
+        "of the sketch gives the others"
+    )
+
+    def act(self, view: SketchView) -> None:
+        """See `TabCommand`."""
+        view.toggle_numbers()
+
+
+TAB_COMMANDS: tuple[type[TabCommand], ...] = (Construction, Numbers)

@@ -98,6 +98,12 @@ class Hands(RuleBasedStateMachine):
         getattr(self.drawing, what)()
         assert self.now <= before + 1
 
+    @rule(by_px=st.sampled_from([(1.0, 0.0), (-40.0, 30.0), (0.25, 0.25)]))
+    def push(self, by_px):
+        before = self.now
+        self.drawing.push(by_px)
+        assert self.now <= before + 1
+
     @precondition(lambda self: self.asked)
     @rule(length_mm=st.none() | st.floats(0.5, 900))
     def answer(self, length_mm):

@@ -263,6 +263,16 @@ def test_dragging_an_edge_moves_both_ends_and_a_selection_moves_whole():
     assert hand.words == ["Move", "Move"]
 
 
+def test_a_push_moves_what_is_selected_and_nothing_where_nothing_is():
+    hand = Hand()
+    hand.drawing.push((3, 0))
+    hand.click(130, 100)
+    hand.drawing.push((0, -2.5))
+    assert (hand.graph.vertices["v1"], hand.graph.vertices["v2"]) == ((100, 97.5), (200, 97.5))
+    assert hand.graph.vertices["v3"] == (200, 200)
+    assert hand.words == ["Move"]
+
+
 def test_a_vertex_dropped_on_another_becomes_one_with_it():
     hand = Hand()
     hand.drag((100, 100), (199, 199))

@@ -263,3 +263,16 @@ def test_empty_sketch_says_what_to_do_until_something_is_begun(view):
     invited = view.grab().toImage()
     view.invitation = ""
     assert view.grab().toImage() == invited
+
+
+def test_arrow_keys_push_what_is_selected(view):
+    edits, before = edits_of(view), view.graph.vertices["v8"]
+    key(view, QtCore.QEvent.KeyPress, Qt.Key_Left)
+    assert edits == []
+    click(view, at(view, "v8"))
+    assert key(view, QtCore.QEvent.ShortcutOverride, Qt.Key_Left).isAccepted()
+    key(view, QtCore.QEvent.KeyPress, Qt.Key_Left)
+    key(view, QtCore.QEvent.KeyPress, Qt.Key_Down, Qt.ShiftModifier)
+    moved = [b - a for a, b in zip(before, view.graph.vertices["v8"], strict=True)]
+    assert moved == pytest.approx([-1 / view.zoom, 10 / view.zoom], abs=0.01)
+    assert [words for _, words in edits] == ["Move", "Move"]

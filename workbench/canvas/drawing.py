@@ -13,11 +13,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from ...solver import rounds
 from ...solver.annotating import set_length
 from ...solver.editing import delete, toggle_construction
-from ...solver.graph import Face, SketchGraph
+from ...solver.graph import Face, Point, SketchGraph
 from ...solver.listing import Choice, set_thickness
-from ...solver.rounds import set_diameter
 from .preview import Preview, Selection
 from .questions import About, Question
 from .solved import Solved, face_choices
@@ -88,7 +88,8 @@ class Drawing:
     def commit(self, graph: SketchGraph, words: str) -> None:
         """Make a graph the document's; `words` name the step in the undo list."""
         changed = graph != self._committed
-        self._graph = graph
+        # An equal one is the same: what asks whether an edit is going on asks for identity.
+        self._graph = graph if changed else self._committed
         if changed:
             self._committed = graph
             self._listener.edited(graph, words)
@@ -219,6 +220,20 @@ class Drawing:
         vertices, edges, circles = map(frozenset, (graph.vertices, graph.edges, graph.circles))
         self.select(Selection(vertices, edges, circles=circles))
 
+    def moved(self, by_px: Point) -> SketchGraph:
+        """The committed graph with what is selected moved by so much."""
+        graph, chosen = self._committed, self._selection
+        held = chosen.vertices.union(*(graph.edges[e] for e in chosen.edges))
+        places = {v: graph.vertices[v] for v in held}
+        moved = {v: (u + by_px[0], w + by_px[1]) for v, (u, w) in places.items()}
+        circles = {c: rounds.shifted(graph.circles[c], by_px) for c in chosen.circles}
+        return rounds.move(graph, moved, circles)
+
+    def push(self, by_px: Point) -> None:
+        """Move what is selected by so much."""
+        if self._graph is self._committed:
+            self.commit(self.moved(by_px), "Move")
+
     def toggle_construction(self) -> None:
         """Make the selected edges and circles construction, or part of the object again."""
         chosen = sorted(self._selection.edges | self._selection.circles)
@@ -231,7 +246,7 @@ class Drawing:
         if question.about is About.EDGE and target in graph.edges:
             self.commit(set_length(graph, target, length_mm), "Set length")
         elif question.about is About.CIRCLE and target in graph.circles:
-            self.commit(set_diameter(graph, target, length_mm), "Set diameter")
+            self.commit(rounds.set_diameter(graph, target, length_mm), "Set diameter")
         elif question.about is About.FACE and target in self.faces:
             thicker = set_thickness(graph, self.choice(target), length_mm)
             self.commit(thicker, "Set thickness")

@@ -23,6 +23,26 @@ _PLAIN = {
     **{getattr(_Qt, f"Key_{letter}"): letter for letter in KEYS},
 }
 
+#: Where arrow keys push what is selected: right and down, in px of the screen.
+ARROWS = {
+    _Qt.Key_Left: (-1, 0),
+    _Qt.Key_Right: (1, 0),
+    _Qt.Key_Up: (0, -1),
+    _Qt.Key_Down: (0, 1),
+}
+#: With Shift so many times as far.
+FAR_PUSH = 10
+
+
+def push_of(event: QtGui.QKeyEvent) -> tuple[int, int] | None:
+    """How far an arrow key pushes, in px of the screen; None for other keys."""
+    way = ARROWS.get(event.key())
+    modifiers = event.modifiers() & ~_Qt.KeypadModifier
+    if way is None or modifiers not in (_Qt.NoModifier, _Qt.ShiftModifier):
+        return None
+    steps = FAR_PUSH if modifiers == _Qt.ShiftModifier else 1
+    return (steps * way[0], steps * way[1])
+
 
 def meaning(event: QtGui.QKeyEvent) -> str:
     """What a key means, a tool's letter for a tool; nothing where it is not ours."""
@@ -36,6 +56,8 @@ def meaning(event: QtGui.QKeyEvent) -> str:
         return "all"
     if event.matches(QtGui.QKeySequence.Paste):
         return "paste"
+    if push_of(event) is not None:
+        return "push"
     # The number pad's Enter says that it lies there.
     plain = event.modifiers() in (_Qt.NoModifier, _Qt.KeypadModifier)
     return _PLAIN.get(event.key(), "") if plain else ""

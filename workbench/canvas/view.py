@@ -318,6 +318,10 @@ class SketchView(PhotoView):
         if meaning in KEYS:
             self.use_tool(KEYS[meaning])
             return
+        push = keys.push_of(event)
+        if push is not None:
+            self._drawing.push((push[0] / self.zoom, push[1] / self.zoom))
+            return
         action = {
             "undo": self.undo_asked.emit,
             "redo": self.redo_asked.emit,

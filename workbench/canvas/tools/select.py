@@ -145,17 +145,12 @@ class SelectTool(Tool):
         return chosen.vertices | {v for edge in chosen.edges for v in edges[edge]}
 
     def _drag(self, pointer: Pointer) -> None:
-        before = self.drawing.committed
         if self._grip is not None:
             self._pull(pointer, self._grip)
             return
         du = pointer.point_px[0] - self._pressed_at[0]
         dv = pointer.point_px[1] - self._pressed_at[1]
-        places = {v: before.vertices[v] for v in self._moved}
-        moved = {v: (u + du, w + dv) for v, (u, w) in places.items()}
-        chosen = self.drawing.selection.circles
-        circles = {c: rounds.shifted(before.circles[c], (du, dv)) for c in chosen}
-        self.drawing.show(rounds.move(before, moved, circles))
+        self.drawing.show(self.drawing.moved((du, dv)))
         self._target = None if pointer.is_free else self._merging(pointer)
 
     def _pull(self, pointer: Pointer, grip: AxisEnd) -> None:

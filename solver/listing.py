@@ -162,6 +162,8 @@ def with_new_faces(
 
     New is a loop that was not found before the edit; where the sketch was not solved then, one
     with an edge that no listed face has. A part of a listed face is none: the face is as it was.
+    One that took in faces which the edit has ended, by removing the edge between them, is left out
+    where they all were.
 
     Parameters
     ----------
@@ -175,16 +177,26 @@ def with_new_faces(
     known = {_key(face) for face in found_faces(*before).values()}
     was_solved = before[1].status is Status.CONVERGED
     bounded = {side for face in graph.faces.values() for side in _sides(face)}
+    lost = [face for id_, face in (before[0].faces or {}).items() if id_ not in graph.faces]
     added = {}
     for id_, face in choices(graph, found).items():
-        new = _key(face) not in known if was_solved else not _sides(face) <= bounded
-        if (
-            id_ not in graph.faces
-            and new
-            and not _whole_of(face, graph.faces, solution.vertices_mm)
-        ):
-            added[id_] = face
+        is_new = _key(face) not in known if was_solved else not _sides(face) <= bounded
+        if id_ in graph.faces or not is_new:
+            continue
+        if _whole_of(face, graph.faces, solution.vertices_mm) is None:
+            added[id_] = _heir(face, lost, before[1].vertices_mm)
     return replace(graph, faces={**graph.faces, **added}) if added else graph
+
+
+def _heir(face: Face, lost: list[Face], at: Mapping[str, Array]) -> Face:
+    """A face with what was said of those that it took in, as when the edge between them went."""
+    there = all(v in at for v in face.loop)
+    parts = [old for old in lost if there and set(old.loop) <= at.keys()]
+    parts = [old for old in parts if _contains(face, old, at)]
+    if not parts:
+        return face
+    included = any(old.included for old in parts)
+    return replace(face, included=included, thickness_mm=parts[0].thickness_mm)
 
 
 def _key(face: Face) -> frozenset[str]:

@@ -1,6 +1,7 @@
 """Faces that a sketch lists: made of those found, left out, added to as the drawing grows."""
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -9,7 +10,7 @@ from scenes import box, photograph
 from incontext.solver import SketchError, solve
 from incontext.solver.annotating import annotate
 from incontext.solver.annotations import OnFace, Parallel, RightAngle
-from incontext.solver.editing import add_edge, add_vertex, split_edge
+from incontext.solver.editing import add_edge, add_vertex, delete, split_edge
 from incontext.solver.listing import (
     Choice,
     choices,
@@ -116,6 +117,24 @@ def test_a_part_of_a_face_can_be_closed_again(photo, empty):
     assert not closed.faces[front].included
     assert set(closed.faces[front].loop) == {"v4", "v5", shelf[0], shelf[1]}
     assert closed.faces[face_of(closed.faces, *lower)].included
+
+
+def test_a_shelf_that_is_taken_away_leaves_whole_walls_and_the_front_open(photo, empty):
+    drawn, shelf = with_a_shelf(photo, empty)
+    lower, upper = {"v0", "v1", *shelf[:2]}, {"v4", "v5", *shelf[:2]}
+    before = drawn
+    for part in (lower, upper):
+        before = said(before, face_of(solve(before).faces, *part), included=False)
+    wall = {"v2", "v3", *shelf[2:]}
+    before = said(before, face_of(before.faces, *wall), thickness_mm=6.0)
+    board = [before.edge_between(*pair) for pair in pairwise((*shelf, shelf[0]))]
+    after = grown(before, delete(before, edges=board))
+    assert len(after.faces) == 6
+    assert set(after.faces) & set(before.faces)
+    (front,) = [face for face in after.faces.values() if not face.included]
+    assert set(front.loop) == lower | upper
+    (thick,) = [face for face in after.faces.values() if face.thickness_mm]
+    assert set(thick.loop) == {"v2", "v3", "v6", "v7", *shelf[2:]}
 
 
 def test_a_window_in_a_wall_can_be_left_out(photo, empty):

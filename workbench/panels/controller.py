@@ -147,7 +147,9 @@ class SketchController:
     def _stand_photo(self) -> None:
         """Put the photo behind the object in the 3D view."""
         graph, solution = self.lift or (self.tab.view.graph, None)
-        self.photo_plane.stand(graph, solution)
+        # With a shape that is none yet it would wander about: then it stays where it was.
+        if solution is None or solution.status.value == "converged":
+            self.photo_plane.stand(graph, solution)
 
     def _show_sketch(self) -> None:
         try:

@@ -91,9 +91,9 @@ class ShapePreview:
         faces = [[index[v] for v in loop] for loop in loops if index.keys() >= set(loop)]
         if not np.isfinite(np.array(points)).all():
             return
-        _set(self._points.point, points)
-        _set(self._faces.coordIndex, _ended(faces))
-        _set(self._lines.coordIndex, _ended(lines))
+        set_values(self._points.point, points)
+        set_values(self._faces.coordIndex, _ended(faces))
+        set_values(self._lines.coordIndex, _ended(lines))
 
 
 def view_3d_of(document_name: str) -> Any:
@@ -137,7 +137,7 @@ def _ended(chains: list[list[int]]) -> list[int]:
     return [k for chain in chains for k in (*chain, END)]
 
 
-def _set(field: Any, values: list[Any]) -> None:
+def set_values(field: Any, values: list[Any]) -> None:
     """All values of a field of Coin's, at one notice."""
     field.setNum(len(values))
     if values:

@@ -81,6 +81,7 @@ def _add_to_window(controller: SketchController) -> None:
     controller.tab.destroyed.connect(lambda *_: _forget(key, controller))
     _keep_buttons_right(controller)
     _list_annotations(controller)
+    _share_selection(controller)
 
 
 def _keep_buttons_right(controller: SketchController) -> None:
@@ -96,6 +97,20 @@ def _list_annotations(controller: SketchController) -> None:
     from .annotation_dock import follow
 
     follow(controller)
+
+
+def _share_selection(controller: SketchController) -> None:
+    from .shared_selection import SelectionOverlay, start_listening
+
+    start_listening()
+    overlay, view = SelectionOverlay(controller.document_name), controller.tab.view
+
+    def show(*_: object) -> None:
+        solution = None if controller.lift is None else controller.lift[1]
+        overlay.show(view.selection.with_targets(view.graph), solution)
+
+    view.selection_changed.connect(show)
+    controller.lifting.lifted.connect(show)
 
 
 def _leave(controller: SketchController) -> None:

@@ -60,6 +60,10 @@
         <translation>Ordner für die Platten wählen</translation>
     </message>
     <message>
+        <source>Choose a folder for the print</source>
+        <translation>Ordner für den Druck wählen</translation>
+    </message>
+    <message>
         <source>Choose a photo</source>
         <translation>Foto wählen</translation>
     </message>
@@ -334,6 +338,10 @@
     <message>
         <source>Export plates...</source>
         <translation>Platten exportieren …</translation>
+    </message>
+    <message>
+        <source>Export print...</source>
+        <translation>Druck exportieren …</translation>
     </message>
     <message>
         <source>Export the parts list too</source>
@@ -878,6 +886,10 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und 2 GB b
         <translation>Platten als DXF, SVG, STEP und plates.json in einen Ordner schreiben</translation>
     </message>
     <message>
+        <source>Write the shelled solid as STL, 3MF and STEP into a folder</source>
+        <translation>Den Hohlkörper als STL, 3MF und STEP in einen Ordner schreiben</translation>
+    </message>
+    <message>
         <source>a lifted model</source>
         <translation>ein gehobenes Modell</translation>
     </message>
@@ -888,6 +900,10 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und 2 GB b
     <message>
         <source>a plate set</source>
         <translation>einen Plattensatz</translation>
+    </message>
+    <message>
+        <source>a shelled solid</source>
+        <translation>einen Hohlkörper</translation>
     </message>
     <message>
         <source>and</source>

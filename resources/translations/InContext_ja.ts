@@ -60,6 +60,10 @@
         <translation>板の保存先フォルダーを選択</translation>
     </message>
     <message>
+        <source>Choose a folder for the print</source>
+        <translation>印刷用ファイルの保存先を選択</translation>
+    </message>
+    <message>
         <source>Choose a photo</source>
         <translation>写真を選択</translation>
     </message>
@@ -334,6 +338,10 @@
     <message>
         <source>Export plates...</source>
         <translation>板を書き出す…</translation>
+    </message>
+    <message>
+        <source>Export print...</source>
+        <translation>印刷用に書き出す…</translation>
     </message>
     <message>
         <source>Export the parts list too</source>
@@ -878,6 +886,10 @@ FreeCAD のフォルダーに入れます。数分と 2 GB かかることがあ
         <translation>板を DXF、SVG、STEP、plates.json としてフォルダーに書き出す</translation>
     </message>
     <message>
+        <source>Write the shelled solid as STL, 3MF and STEP into a folder</source>
+        <translation>中空の立体を STL、3MF、STEP としてフォルダーに書き出す</translation>
+    </message>
+    <message>
         <source>a lifted model</source>
         <translation>起こしたモデル</translation>
     </message>
@@ -888,6 +900,10 @@ FreeCAD のフォルダーに入れます。数分と 2 GB かかることがあ
     <message>
         <source>a plate set</source>
         <translation>板のセット</translation>
+    </message>
+    <message>
+        <source>a shelled solid</source>
+        <translation>中空の立体</translation>
     </message>
     <message>
         <source>and</source>

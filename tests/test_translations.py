@@ -28,7 +28,8 @@ NOT_FOR_PEOPLE = re.compile(
 _NAMES = """
     Label Sketch Undo Redo Perspective Separator Pixmap Accel Checkable Restore Width Depth Height
     Dimensions Model Result Side Joints Play Kerf Cutting Preset Sheets Margin Spacing Grain Files
-    Exploded Fit Assembly Status Message Wall Proxy Shell Solid Printer Tolerance Bed Object Hidden Vertex Vertex
+    Exploded Fit Assembly Status Message Wall Proxy Shell Solid Printer Tolerance Bed Object Hidden
+    Vertex
 """
 NAMES = {*_NAMES.split(), "Shown dimensions"}
 

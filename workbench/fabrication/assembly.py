@@ -66,7 +66,7 @@ class Step:
         what = " with ".join(self.plate_ids)
         if not self.onto:
             return f"begin with {what}"
-        x, y, z = self.way.tolist()
+        x, y, z = (np.round(self.way, 2) + 0.0).tolist()
         return f"put {what} on, moving along ({x:+.2f}, {y:+.2f}, {z:+.2f})"
 
 

@@ -3,8 +3,8 @@
 Terms
 -----
 coupon
-    Two combs with the settings' fingers. One has notches, each with its own play engraved beside
-    it; the other's tabs all have the same size. The notch that fits says which play to set.
+    A comb of notches, each with its own play engraved beside it, and a piece with one tab as wide
+    as a finger. The notch in which the tab sits well says which play to set.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ def effects(settings: PlateSettings) -> tuple[str, ...]:
 
 
 def coupon(settings: PlateSettings) -> tuple[Plate, ...]:
-    """The two combs of the fit test.
+    """The two pieces of the fit test.
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ def coupon(settings: PlateSettings) -> tuple[Plate, ...]:
     Returns
     -------
     tuple of Plate
-        ``notches`` and ``tabs``, with the sizes they have when finished.
+        ``notches`` and ``tab``, with the sizes they have when finished.
     """
     thickness = settings.thickness_mm
     width = max(
@@ -76,16 +76,17 @@ def coupon(settings: PlateSettings) -> tuple[Plate, ...]:
     )
     step = 2 * width
     length = step * len(COUPON_STEPS_MM) + width
-    bar = box(0.0, 0.0, length, _BAR_MM)
-    notched, tabbed = bar, bar
+    notched = box(0.0, 0.0, length, _BAR_MM)
+    # One tab alone: a row of them would go into no notch but with all the others.
+    tab = box(width, _BAR_MM, 2 * width, _BAR_MM + thickness)
+    tabbed = box(0.0, 0.0, 3 * width, _BAR_MM).union(tab)
     for n, play in enumerate(coupon_plays(settings)):
         left = width + n * step
         # A finger and its notch share the play as the plates' own do; a slot has all of it.
         notched = notched.difference(
             box(left - play / 2, _BAR_MM - thickness, left + width + play / 2, _BAR_MM + 1)
         )
-        tabbed = tabbed.union(box(left, _BAR_MM, left + width, _BAR_MM + thickness))
-    return _flat("notches", notched, thickness), _flat("tabs", tabbed, thickness)
+    return _flat("notches", notched, thickness), _flat("tab", tabbed, thickness)
 
 
 def coupon_plays(settings: PlateSettings) -> tuple[float, ...]:
@@ -107,8 +108,8 @@ def coupon_marks(settings: PlateSettings) -> list[Array]:
 
 
 def coupon_settings(settings: PlateSettings) -> PlateSettings:
-    """The settings with which a coupon is laid out: one comb above the other, on a small sheet."""
-    width, height = np.ptp(coupon(settings)[1].outline, axis=0).tolist()
+    """The settings with which a coupon is laid out: one piece above the other, on a small sheet."""
+    width, height = np.max([np.ptp(p.outline, axis=0) for p in coupon(settings)], axis=0).tolist()
     rim = 2 * settings.margin_mm + settings.kerf_mm + settings.tool_mm + 1.0
     sheet = (width + rim, 2 * (height + settings.kerf_mm + 1.0) + settings.spacing_mm + rim)
     return replace(settings, sheet_mm=sheet, grain="y", joints=())

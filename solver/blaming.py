@@ -35,6 +35,7 @@ from .graph import SketchGraph
 from .least_squares import EXACT_COST, Minimum, minimise
 from .problem import Problem, build_problem
 from .structure import Structure, build_structure
+from .values import Stop
 from .world import camera_above_ground, nothing_sinks
 
 #: A first view that misses the drawing by this part of its diagonal (RMS) makes doubtful whether
@@ -51,8 +52,6 @@ HELD = 1e-8
 #: Beyond these it is a tangle, no sketch: free coordinates, and numbers in their conditions' table.
 MAX_COORDINATES = 900
 MAX_NUMBERS = 500_000
-
-Stop = Callable[[], bool]
 
 
 class Candidate(Protocol):

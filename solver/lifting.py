@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .blaming import Stop, is_doubtful
+from .blaming import is_doubtful
 from .diagnosis import focal_sigma
 from .floating import lifts, other_depths, same_lift
 from .focal_prior import USUAL, tighter, usual_prior
@@ -26,6 +26,7 @@ from .least_squares import ENOUGH, EXACT_COST, Minimum, minimise
 from .problem import Problem, build_problem
 from .solution import Solution
 from .structure import Structure
+from .values import Stop
 from .warm_start import pose_from
 from .world import camera_above_ground, ground_indices, lean
 

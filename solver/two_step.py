@@ -17,11 +17,12 @@ from functools import partial
 import numpy as np
 
 from .blaming import (
+    GROSS_RMS,
     MAX_COORDINATES,
     MAX_NUMBERS,
     Blame,
-    Stop,
     blame_for_clash,
+    drawn_diagonal,
     find_blame,
     is_settled,
     needs_a_closer_look,
@@ -56,7 +57,7 @@ from .revolution import without_profiles
 from .solution import Report, Solution, Status
 from .structure import Structure, build_structure
 from .symmetry import Geometry, mirrored
-from .values import Array
+from .values import Array, Progress, Stop
 from .world import ground_indices
 
 #: A solve ends after so many seconds.
@@ -74,6 +75,7 @@ def solve(
     *,
     start: Solution | None = None,
     stop: Stop | None = None,
+    progress: Progress | None = None,
     twin: bool = False,
 ) -> Solution:
     """Lift a sketch graph to 3D and find the camera.
@@ -86,6 +88,8 @@ def solve(
         to a good shape, that one is taken and no other view is looked for.
     stop : callable, optional
         Asked now and then; True ends the solve with what there is (status ``not_converged``).
+    progress : callable, optional
+        Told how far the solve is (0 to 1) and what is being done.
     twin : bool
         Give the other reading of the drawing, near and far exchanged, if there is one.
 
@@ -97,7 +101,8 @@ def solve(
     began = time.perf_counter()
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
         try:
-            once = partial(_solve, start=start, stop=_with_deadline(stop), twin=twin)
+            tell = progress or _nobody
+            once = partial(_solve, start=start, stop=_with_deadline(stop), tell=tell, twin=twin)
             solution = solve_on_found_faces(graph, once)
         except np.linalg.LinAlgError:
             solution = _lost(graph)
@@ -107,7 +112,14 @@ def solve(
     return replace(solution, report=replace(solution.report, solve_ms=elapsed))
 
 
-def _solve(graph: SketchGraph, start: Solution | None, stop: Stop, *, twin: bool) -> Solution:
+def _nobody(done: float, what: str) -> None:
+    """Nobody wants to know."""
+
+
+def _solve(
+    graph: SketchGraph, start: Solution | None, stop: Stop, tell: Progress, *, twin: bool
+) -> Solution:
+    tell(0.0, "reasoning about the annotations")
     nothing = _nothing_to_lift(graph)
     if nothing is not None:
         return Solution(graph.digest, Status.UNDERDETERMINED, nothing)
@@ -121,12 +133,14 @@ def _solve(graph: SketchGraph, start: Solution | None, stop: Stop, *, twin: bool
     if conditions * structure.n_coordinates > MAX_NUMBERS:
         n = structure.n_coordinates
         return _too_free(graph, f"{conditions} conditions on {n} coordinates are left")
+    tell(0.1, "looking for the camera and the shape")
     near = None if start is None else lift_near(core, structure, start, stop)
     if near is not None and not needs_a_closer_look(core, near):
         return _describe(graph, core, _reading_asked_for(core, near, twin=twin))
     lifted, blamed = _lift_or_blame(core, structure, stop)
     if lifted is None:
         return _lost(graph)
+    tell(0.9, "describing what was found")
     return _describe(graph, core, _reading_asked_for(core, lifted, twin=twin), blamed)
 
 
@@ -258,7 +272,7 @@ def _describe(
     conflicts = unmet_annotations(residuals, size_of(extent.reshape(-1, 3)))
     sigmas = size_sigmas(lifted.full, pose) if not open_.count else np.zeros(0)
     unsure = bool(np.sqrt(np.mean(sigmas**2)) > UNSURE_SIZE_SIGMA) if len(sigmas) else False
-    status, message = _verdict(lifted, open_, conflicts)
+    status, message = _verdict(core, lifted, open_, conflicts)
     if status is Status.CONVERGED and unsure:
         message += UNSURE
     if status is Status.CONVERGED and core.camera is not None:
@@ -321,7 +335,9 @@ def _with_copies(graph: SketchGraph, vertices: Mapping[str, Array]) -> tuple[Geo
         return whole, f" No faces were looked for: {error}."
 
 
-def _verdict(lifted: Lifted, open_: Freedoms, conflicts: tuple[str, ...]) -> tuple[Status, str]:
+def _verdict(
+    core: SketchGraph, lifted: Lifted, open_: Freedoms, conflicts: tuple[str, ...]
+) -> tuple[Status, str]:
     if conflicts and not lifted.minimum.converged:
         return (
             Status.NOT_CONVERGED,
@@ -345,6 +361,13 @@ def _verdict(lifted: Lifted, open_: Freedoms, conflicts: tuple[str, ...]) -> tup
         return (
             Status.NOT_CONVERGED,
             "The drawing and the annotations are too far apart: check the annotations.",
+        )
+    reading = reading_of(core, lifted)
+    if reading.rms > GROSS_RMS:
+        px = reading.rms * drawn_diagonal(lifted.problem) * lifted.problem.px_per_unit
+        return (
+            Status.CONVERGED,
+            f"Solved, but the drawing is missed by {px:.0f} px: check the annotations against it.",
         )
     if lifted.twofold:
         return (

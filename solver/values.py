@@ -22,6 +22,10 @@ IntArray = NDArray[np.int64]
 BoolArray = NDArray[np.bool_]
 K = TypeVar("K")
 V = TypeVar("V")
+#: Asked now and then by what takes long; True ends it.
+Stop = Callable[[], bool]
+#: Told now and then how far something is (0 to 1) and what is being done.
+Progress = Callable[[float, str], None]
 
 #: Results of each function that stay: a few sketches, each as drawn and as solved.
 KEPT = 8

@@ -204,12 +204,15 @@ def _check(arguments: argparse.Namespace) -> int:
 def _solve(arguments: argparse.Namespace) -> int:
     from ..solver.files import write_files
     from .photos import photo_problem
+    from .progress_line import ProgressLine
 
     graph = _load(arguments.sketch)
     problem = photo_problem(graph, arguments.sketch)
     if problem:
         _complain(f"warning: {problem}")
-    solution = _solver(arguments.method, twin=arguments.twin)(graph)
+    progress = ProgressLine(sys.stderr)
+    solution = _solver(arguments.method, twin=arguments.twin)(graph, progress=progress.tell)
+    progress.clear()
     beside = arguments.sketch.with_name(name_of(arguments.sketch) + ".solution.json")
     output = arguments.output or beside
     write_files({output: _solution_text(solution)})

@@ -14,8 +14,6 @@ from scipy import optimize
 from ..values import Array
 from .drawing import Drawing
 
-Stop = Callable[[], bool]
-
 #: Stands for the energy of what is no photograph: a vertex behind the eye, or one that is further
 #: away than `FAR` drawing units.
 IMPOSSIBLE = 1e12

@@ -39,12 +39,11 @@ import numpy as np
 
 from ..graph import SketchGraph
 from ..solution import Solution
-from ..values import Array
+from ..values import Array, Progress, Stop
 from .common import (
     Found,
     Limits,
     Reference,
-    Stop,
     View,
     camera_steps,
     nelder_mead,
@@ -61,7 +60,11 @@ STEP = 0.1 * DIAGONAL
 
 
 def solve(
-    graph: SketchGraph, *, limits: Limits | None = None, stop: Stop | None = None
+    graph: SketchGraph,
+    *,
+    limits: Limits | None = None,
+    stop: Stop | None = None,
+    progress: Progress | None = None,
 ) -> Solution:
     """Lift a sketch graph as [Lau10] does.
 
@@ -72,6 +75,8 @@ def solve(
         Where the searches end.
     stop : callable, optional
         Asked between optimisations; True ends the solve with what there is.
+    progress : callable, optional
+        Told how far the solve is (0 to 1) and what is being done, between optimisations.
 
     Returns
     -------
@@ -80,10 +85,11 @@ def solve(
     """
     limits = limits or Limits()
     stop = stop or (lambda: False)
+    tell = progress or (lambda done, what: None)
 
     def method(drawing: Drawing) -> Reference:
-        depths, spent = initial_optimization(drawing, limits, stop)
-        return full_optimization(drawing, depths, limits, stop, spent)
+        depths, spent = initial_optimization(drawing, limits, stop, tell)
+        return full_optimization(drawing, depths, limits, stop, spent, tell)
 
     return run("lau2010", graph, method)
 
@@ -91,7 +97,9 @@ def solve(
 # --- initial optimization ---------------------------------------------------------------------
 
 
-def initial_optimization(drawing: Drawing, limits: Limits, stop: Stop) -> tuple[Array, int]:
+def initial_optimization(
+    drawing: Drawing, limits: Limits, stop: Stop, tell: Progress = lambda done, what: None
+) -> tuple[Array, int]:
     """ "The initial step finds only the depth of each 3D vertex."
 
     Returns
@@ -117,6 +125,7 @@ def initial_optimization(drawing: Drawing, limits: Limits, stop: Stop) -> tuple[
     for i in range(n if limits.restarts is None else min(n, limits.restarts)):
         if stop():
             break
+        tell(0.8 * (i + 1) / (n + 1), f"initial optimization, vertex {i + 1} of {n}")
         depths = first.x.copy()
         depths[i] = rng.uniform(-DIAGONAL / 2, DIAGONAL / 2)
         case = nelder_mead(energy, depths, step, limits)
@@ -197,13 +206,19 @@ def _order_of_quadrilaterals(drawing: Drawing) -> tuple[tuple[int, int, int, int
 
 
 def full_optimization(
-    drawing: Drawing, depths: Array, limits: Limits, stop: Stop, spent: int = 0
+    drawing: Drawing,
+    depths: Array,
+    limits: Limits,
+    stop: Stop,
+    spent: int = 0,
+    tell: Progress = lambda done, what: None,
 ) -> Reference:
     """ "Both geometric and projection constraints", from the result of the initial step."""
     X, view = _standing(drawing, depths)
     dimensions = reduce_dimensions(drawing)
     unknowns = X.reshape(-1)[dimensions.chosen]
-    for weight in PROJECTION_WEIGHTS:
+    for k, weight in enumerate(PROJECTION_WEIGHTS):
+        tell(0.8 + 0.2 * k / len(PROJECTION_WEIGHTS), f"full optimization, weight {weight:g}")
         # "running the full optimization multiple times with the previous solution as the starting
         # point and gradually lowering the weight on the projection constraint works well"
         found = _full_once(drawing, dimensions, unknowns, view, weight, limits)

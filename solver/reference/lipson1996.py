@@ -18,15 +18,19 @@ import numpy as np
 
 from ..graph import SketchGraph
 from ..solution import Solution
-from ..values import Array
-from .common import Limits, Reference, Stop, camera_steps, nelder_mead, view_along_z
+from ..values import Array, Progress, Stop
+from .common import Limits, Reference, camera_steps, nelder_mead, view_along_z
 from .drawing import Drawing
 from .lau2010 import PROJECTION_WEIGHTS, STEP
 from .placing import run
 
 
 def solve(
-    graph: SketchGraph, *, limits: Limits | None = None, stop: Stop | None = None
+    graph: SketchGraph,
+    *,
+    limits: Limits | None = None,
+    stop: Stop | None = None,
+    progress: Progress | None = None,
 ) -> Solution:
     """Lift a sketch graph in one optimisation with three dimensions per vertex.
 
@@ -37,6 +41,8 @@ def solve(
         Where the search ends.
     stop : callable, optional
         Taken for the sake of one signature: there is nothing between optimisations here.
+    progress : callable, optional
+        Told once, for the same reason.
 
     Returns
     -------
@@ -44,6 +50,8 @@ def solve(
         ``converged`` where every annotation holds within 1 degree and 1 % of the size.
     """
     limits = limits or Limits()
+    if progress is not None:
+        progress(0.0, "one optimization")
     return run("lipson1996", graph, lambda drawing: optimization(drawing, limits))
 
 

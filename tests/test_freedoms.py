@@ -69,8 +69,9 @@ def free_and_loose(graph, solution) -> tuple[int, set[str]]:
     X = np.array([solution.vertices_mm[v] for v in graph.vertices])
     depth = (X @ camera.rotation_cam_from_world.T + camera.translation_cam_from_world_mm)[:, 2]
     motion = null[:, 2:-1:3] / (depth / depth.mean())
-    steps = np.round(motion / max(float(np.abs(motion).max()), 1e-300), 5)
-    _, part, sizes = np.unique(steps.T, axis=0, return_inverse=True, return_counts=True)
+    U, s, _ = np.linalg.svd(motion.T, full_matrices=False)
+    steps = np.round(U[:, s > 1e-9 * s[0]], 5)
+    _, part, sizes = np.unique(steps, axis=0, return_inverse=True, return_counts=True)
     part = part.reshape(-1)
     largest = part[int(np.argmax(sizes[part]))]
     names = zip(graph.vertices, part, strict=True)

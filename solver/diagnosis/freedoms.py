@@ -73,7 +73,9 @@ def _loose(full: FullProblem, x: Pose, null: Array, names: list[str]) -> tuple[s
     X = full.positions(x)
     motion = null[:, 4:][:, full.coordinate]  # (freedoms, n, 3)
     growth = np.einsum("fnk,nk->nf", motion, X) / np.maximum((X**2).sum(axis=1), 1e-300)[:, None]
-    steps = np.round(growth / max(float(np.abs(growth).max(initial=0.0)), 1e-300), 5)
+    # Freedoms of all sizes count alike.
+    U, s, _ = np.linalg.svd(growth, full_matrices=False)
+    steps = np.round(U[:, s > NULL_TOLERANCE * max(float(s[0]), 1e-300)], 5)
     _, part, sizes = np.unique(steps, axis=0, return_inverse=True, return_counts=True)
     part = part.reshape(-1)
     # Of equally large parts, the one that was drawn first stands still.

@@ -212,6 +212,10 @@
         <translation>Anklicken, wo die Seite beginnt, am Rand des unteren Kreises</translation>
     </message>
     <message>
+        <source>Construction</source>
+        <translation>Hilfsgeometrie</translation>
+    </message>
+    <message>
         <source>Copy</source>
         <translation>Kopieren</translation>
     </message>
@@ -496,6 +500,10 @@
         <translation>Das 3D-Modell der Skizze machen; es folgt jeder Änderung</translation>
     </message>
     <message>
+        <source>Make the selected edges and circles construction: traced on what is in the photo, no part of the object; or part of it again</source>
+        <translation>Ausgewählte Kanten und Kreise zur Hilfsgeometrie machen: im Foto nachgezeichnet, kein Teil des Objekts; oder wieder zu einem Teil</translation>
+    </message>
+    <message>
         <source>Mark equal length</source>
         <translation>Gleiche Längen festlegen</translation>
     </message>
@@ -612,6 +620,10 @@
         <translation>Parallel</translation>
     </message>
     <message>
+        <source>Parameter numbers</source>
+        <translation>Anzahl der Parameter</translation>
+    </message>
+    <message>
         <source>Photo</source>
         <translation>Foto</translation>
     </message>
@@ -688,6 +700,10 @@
         <translation>Mit Umschalt-Klick weitere Mitten wählen, dann Enter oder Rechtsklick; Esc bricht ab</translation>
     </message>
     <message>
+        <source>Show at each vertex how many of its three coordinates are still its own: what is said of the sketch gives the others</source>
+        <translation>An jedem Punkt zeigen, wie viele seiner drei Koordinaten noch eigene sind: die anderen ergeben sich aus den Angaben</translation>
+    </message>
+    <message>
         <source>Show the photo and the sketch over it; drag a vertex, and the model follows</source>
         <translation>Foto und Skizze zeigen; beim Ziehen eines Punktes folgt das Modell</translation>
     </message>
@@ -742,6 +758,10 @@
     <message>
         <source>Solved.</source>
         <translation>Gelöst.</translation>
+    </message>
+    <message>
+        <source>Some faces are half mirrored: draw their hidden edges too, then faces can be chosen</source>
+        <translation>Manche Flächen sind halb gespiegelt: auch ihre verdeckten Kanten zeichnen, dann sind Flächen wählbar</translation>
     </message>
     <message>
         <source>Square</source>

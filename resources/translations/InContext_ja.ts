@@ -212,6 +212,10 @@
         <translation>側面の始まり(下の円の縁)をクリック</translation>
     </message>
     <message>
+        <source>Construction</source>
+        <translation>補助線</translation>
+    </message>
+    <message>
         <source>Copy</source>
         <translation>コピー</translation>
     </message>
@@ -496,6 +500,10 @@
         <translation>スケッチの 3D モデルを作成。スケッチの変更に追従します</translation>
     </message>
     <message>
+        <source>Make the selected edges and circles construction: traced on what is in the photo, no part of the object; or part of it again</source>
+        <translation>選択した辺と円を補助線にする(写真の実物をなぞったもので、物の一部ではない)。または元に戻す</translation>
+    </message>
+    <message>
         <source>Mark equal length</source>
         <translation>等しい長さを指定</translation>
     </message>
@@ -612,6 +620,10 @@
         <translation>平行</translation>
     </message>
     <message>
+        <source>Parameter numbers</source>
+        <translation>パラメーター数</translation>
+    </message>
+    <message>
         <source>Photo</source>
         <translation>写真</translation>
     </message>
@@ -688,6 +700,10 @@
         <translation>Shift+クリックで中点を追加し、Enter または右クリック。Esc で中止</translation>
     </message>
     <message>
+        <source>Show at each vertex how many of its three coordinates are still its own: what is said of the sketch gives the others</source>
+        <translation>各頂点に、三つの座標のうち独自に残る数を表示。残りは注釈から決まります</translation>
+    </message>
+    <message>
         <source>Show the photo and the sketch over it; drag a vertex, and the model follows</source>
         <translation>写真とスケッチを表示。頂点をドラッグするとモデルが追従します</translation>
     </message>
@@ -742,6 +758,10 @@
     <message>
         <source>Solved.</source>
         <translation>解けました。</translation>
+    </message>
+    <message>
+        <source>Some faces are half mirrored: draw their hidden edges too, then faces can be chosen</source>
+        <translation>半分だけ鏡映された面があります。隠れた辺も描くと面を選べます</translation>
     </message>
     <message>
         <source>Square</source>

@@ -167,6 +167,8 @@ class AnnotationPanel(QtGui.QWidget):
         for row in self._list.rows():
             row.setSelected(row.data(WHAT, _ID) in ids)
         self._list.blockSignals(False)
+        if self._list.selectedItems():
+            self._list.scrollToItem(self._list.selectedItems()[0])
 
     def selected_ids(self) -> frozenset[str]:
         """The annotations whose rows are selected."""

@@ -43,7 +43,8 @@ def words_of(annotation: Annotation) -> str:
     # A corner says enough; its edges would only lengthen the line.
     corner = getattr(annotation, "at", "")
     ids = (corner,) if corner else named_by(annotation)
-    return f"{kind_words(annotation.kind)}  {_ids(ids)}"
+    # Ids first: where the panel is narrow they are what must be read, the icon tells the kind.
+    return f"{_ids(ids)}  {kind_words(annotation.kind)}"
 
 
 def named_by(annotation: Annotation) -> tuple[str, ...]:

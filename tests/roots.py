@@ -67,6 +67,7 @@ class Root:
 
     freecad: str
     suite: str
+    more: tuple[str, ...] = ()
 
     @property
     def folder(self) -> Path:
@@ -79,7 +80,8 @@ class Root:
         return self.folder / SITE.lstrip("/")
 
 
-ROOTS = (Root("1.0", "trixie"), Root("1.1", "forky"))
+#: Qt 6 reads SVG icons by a package of its own.
+ROOTS = (Root("1.0", "trixie"), Root("1.1", "forky", ("qt6-svg-plugins",)))
 
 
 def roots_folder() -> Path:
@@ -157,7 +159,7 @@ def _screen() -> Iterator[str]:
 
 
 def _system_recipe(root: Root) -> str:
-    return f"{root.suite} {' '.join(PACKAGES)}"
+    return " ".join((root.suite, *PACKAGES, *root.more))
 
 
 def _requirements() -> list[str]:
@@ -209,7 +211,7 @@ def _make_system(root: Root) -> None:
     # Signatures are checked; a mirror that is some weeks behind will do.
     options = "-o Acquire::Retries=5 -o Acquire::Check-Valid-Until=false"
     options += " -o APT::Sandbox::User=root -o Dpkg::Use-Pty=0 -qq"
-    install = f"install --yes --no-install-recommends {' '.join(PACKAGES)}"
+    install = f"install --yes --no-install-recommends {' '.join((*PACKAGES, *root.more))}"
     script = f"apt-get {options} update && apt-get {options} {install} && apt-get clean"
     quiet = ["env", "DEBIAN_FRONTEND=noninteractive"]
     entered = [*_enter(partial), *quiet, "sh", "-c", script]

@@ -6,6 +6,7 @@ from .base import Command
 from .edit_sketch import EditSketch
 from .export_plates import ExportPlates
 from .export_print import ExportPrint
+from .fix_length import FixLength
 from .import_sketch import ImportSketch
 from .lift import Lift
 from .make_plates import MakePlates
@@ -25,6 +26,7 @@ COMMANDS: tuple[type[Command], ...] = (
     ReplacePhoto,
     ViewThroughPhoto,
     Lift,
+    FixLength,
     MakePlates,
     MakeShell,
     ExportPlates,

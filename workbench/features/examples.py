@@ -18,13 +18,15 @@ def example_path(name: str) -> Path:
     return Path(host.resource("examples", name, name + SKETCH_ENDING))
 
 
-def import_sketch(document: Any, path: Path) -> Any:
+def import_sketch(document: Any, path: Path, label: str = "") -> Any:
     """A photo sketch from a sketch file; its photo is looked for beside it.
 
     Parameters
     ----------
     document : FreeCAD document
     path : Path
+    label : str, optional
+        What it is called; the file's name by default.
 
     Returns
     -------
@@ -43,15 +45,14 @@ def import_sketch(document: Any, path: Path) -> Any:
     photo, problem = photo_path(graph, path)
     if problem:
         host.warn(problem)
-    obj = make_photo_sketch(document, sketch_to_text(graph), photo)
-    obj.Label = path.name.removesuffix(SKETCH_ENDING)
-    return obj
+    name = label or path.name.removesuffix(SKETCH_ENDING)
+    return make_photo_sketch(document, sketch_to_text(graph), photo, name)
 
 
 def make_example(document: Any, name: str) -> tuple[Any, Any, Any]:
     """An example, all the way to its plates: photo sketch, lifted model, plate set."""
-    sketch = import_sketch(document, example_path(name))
-    sketch.Label = host.translate("InContext", "Photo sketch")
+    label = host.translate("InContext", "Photo sketch")
+    sketch = import_sketch(document, example_path(name), label)
     model = make_lifted_model(document, sketch)
     plates = make_plate_set(document, model)
     document.recompute()

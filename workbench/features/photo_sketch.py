@@ -45,7 +45,9 @@ class PhotoSketch(Proxy):
         set_outcome(obj, "ready", words)
 
 
-def make_photo_sketch(document: Any, sketch_text: str, photo: str | Path | None = None) -> Any:
+def make_photo_sketch(
+    document: Any, sketch_text: str, photo: str | Path | None = None, label: str = ""
+) -> Any:
     """A photo sketch in the document.
 
     Parameters
@@ -55,6 +57,8 @@ def make_photo_sketch(document: Any, sketch_text: str, photo: str | Path | None 
         The text of a sketch file.
     photo : path or None
         The image file, which is copied into the document.
+    label : str, optional
+        What it is called; FreeCAD 1.1 would not give a label back that it had before.
 
     Returns
     -------
@@ -62,7 +66,7 @@ def make_photo_sketch(document: Any, sketch_text: str, photo: str | Path | None 
     """
     obj = document.addObject("App::FeaturePython", "PhotoSketch")
     PhotoSketch(obj)
-    obj.Label = host.translate("InContext", "Photo sketch")
+    obj.Label = label or host.translate("InContext", "Photo sketch")
     if photo is not None:
         obj.Photo = str(photo)
     obj.Sketch = sketch_text

@@ -29,6 +29,8 @@ class View:
 
     def __init__(self, view_object: Any) -> None:
         view_object.Proxy = self
+        # FreeCAD 1.1 has asked for the icon before.
+        view_object.signalChangeIcon()
         self.dress(view_object)
 
     def dress(self, view_object: Any) -> None:

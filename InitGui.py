@@ -23,6 +23,8 @@ class InContextWorkbench(FreeCADGui.Workbench):
 
     def Initialize(self):  # noqa: N802  FreeCAD's name
         """Make the commands, the toolbar and the menu."""
+        import FreeCADGui
+
         from incontext.workbench import host
         from incontext.workbench.commands import register_commands
         from incontext.workbench.commands.tools import register_tools
@@ -34,6 +36,8 @@ class InContextWorkbench(FreeCADGui.Workbench):
         self.appendToolbar(host.translate("InContext", "Sketch tools"), tools)
         self.appendMenu(ours, names)
         self.appendMenu([ours, sketching], tools)
+        FreeCADGui.addIconPath(host.resource("icons"))
+        FreeCADGui.addPreferencePage(host.resource("ui", "preferences.ui"), "Modeling in Context")
 
     def Activated(self):  # noqa: N802
         """Nothing to do; FreeCAD asks for it."""

@@ -9,7 +9,7 @@ from .. import host
 from ..problems import in_words, known_problems
 from . import pipeline
 from .dimensions import driven_text
-from .properties import OUTCOME, Editor, Property, fail, set_outcome
+from .properties import OUTCOME, Editor, Property, apply_preferences, fail, set_outcome
 from .proxy import Proxy, is_of_type
 
 if TYPE_CHECKING:
@@ -297,6 +297,7 @@ def make_plate_set(document: Any, lifted_model: Any) -> Any:
     """
     obj = document.addObject("Part::FeaturePython", "PlateSet")
     PlateSet(obj)
+    apply_preferences(obj)
     obj.Label = host.translate("InContext", "Plates")
     obj.LiftedModel = lifted_model
     if host.has_window():

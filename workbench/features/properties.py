@@ -68,6 +68,30 @@ def _add(obj: Any, prop: Property) -> None:
         setattr(obj, prop.name, prop.default)
 
 
+#: What the preferences page says of new objects, by the names of the properties.
+PREFERRED_LENGTHS = (
+    "Thickness",
+    "FingerWidth",
+    "Play",
+    "Kerf",
+    "SheetWidth",
+    "SheetHeight",
+    "Wall",
+)
+PREFERRED_TEXTS = ("Preset",)
+
+
+def apply_preferences(obj: Any) -> None:
+    """Give a new object the first values that the person prefers."""
+    chosen = host.preferences()
+    for name in PREFERRED_LENGTHS:
+        if name in obj.PropertiesList:
+            setattr(obj, name, chosen.GetFloat(name, getattr(obj, name).Value))
+    for name in PREFERRED_TEXTS:
+        if name in obj.PropertiesList:
+            setattr(obj, name, chosen.GetString(name, getattr(obj, name)))
+
+
 #: How the last recompute ended; every object that computes something has these two.
 OUTCOME = (
     Property(

@@ -8,7 +8,7 @@ from .. import host
 from ..problems import in_words, known_problems
 from . import pipeline
 from .dimensions import driven_text
-from .properties import OUTCOME, Property, fail, set_outcome
+from .properties import OUTCOME, Property, apply_preferences, fail, set_outcome
 from .proxy import Proxy, is_of_type
 
 if TYPE_CHECKING:
@@ -123,6 +123,7 @@ def make_shelled_solid(document: Any, lifted_model: Any) -> Any:
     """
     obj = document.addObject("Part::FeaturePython", "ShelledSolid")
     ShelledSolid(obj)
+    apply_preferences(obj)
     obj.Label = host.translate("InContext", "Shelled solid")
     obj.LiftedModel = lifted_model
     if host.has_window():

@@ -1,0 +1,50 @@
+"""The preferences page: what stands in it is what new objects begin with."""
+
+from __future__ import annotations
+
+import FreeCADGui
+import pytest
+from PySide import QtGui
+
+from incontext.workbench import host
+from incontext.workbench.features.plate_set import make_plate_set
+from incontext.workbench.features.properties import PREFERRED_LENGTHS, PREFERRED_TEXTS
+from incontext.workbench.features.shelled_solid import make_shelled_solid
+
+
+@pytest.fixture
+def chosen():
+    """The preferences, emptied again afterwards."""
+    preferences = host.preferences()
+    yield preferences
+    for name in PREFERRED_LENGTHS:
+        preferences.RemFloat(name)
+    for name in PREFERRED_TEXTS:
+        preferences.RemString(name)
+
+
+@pytest.fixture
+def page():
+    loaded = FreeCADGui.PySideUic.loadUi(host.resource("ui", "preferences.ui"))
+    yield loaded
+    loaded.deleteLater()
+
+
+def test_the_page_begins_with_the_properties_own_values(page, shelf, document, chosen):
+    shell = make_shelled_solid(document, shelf[1])
+    for name in PREFERRED_LENGTHS:
+        widget = page.findChild(QtGui.QWidget, f"value{name}")
+        obj = shell if name == "Wall" else shelf[2]
+        assert widget.property("rawValue") == getattr(obj, name).Value
+    assert page.findChild(QtGui.QLineEdit, "valuePreset").text() == shelf[2].Preset
+
+
+def test_new_objects_begin_with_what_is_preferred(shelf, document, chosen):
+    for name, value in (("Thickness", 5.0), ("Kerf", 0.15), ("Wall", 1.2)):
+        chosen.SetFloat(name, value)
+    chosen.SetString("Preset", "ponoko")
+    plates = make_plate_set(document, shelf[1])
+    assert (plates.Thickness.Value, plates.Kerf.Value, plates.Preset) == (5.0, 0.15, "ponoko")
+    assert plates.FingerWidth == shelf[2].FingerWidth
+    assert make_shelled_solid(document, shelf[1]).Wall.Value == 1.2
+    assert shelf[2].Thickness.Value == 3

@@ -106,10 +106,11 @@ def _texture(image: QtGui.QImage) -> Any:
     if max(image.width(), image.height()) > TEXTURE_PX:
         smooth = QtCore.Qt.SmoothTransformation
         image = image.scaled(TEXTURE_PX, TEXTURE_PX, QtCore.Qt.KeepAspectRatio, smooth)
-    # Coin counts rows from below.
-    image = image.convertToFormat(QtGui.QImage.Format_RGB888).mirrored()
+    image = image.convertToFormat(QtGui.QImage.Format_RGB888)
     width, height, line = image.width(), image.height(), image.bytesPerLine()
     rows = np.frombuffer(image.constBits(), dtype=np.uint8)[: height * line].reshape(height, line)
     texture = coin.SoTexture2()
-    texture.image.setValue(coin.SbVec2s(width, height), 3, rows[:, : 3 * width].tobytes())
+    # Coin counts rows from below.
+    upwards = rows[::-1, : 3 * width]
+    texture.image.setValue(coin.SbVec2s(width, height), 3, upwards.tobytes())
     return texture

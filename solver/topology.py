@@ -84,6 +84,12 @@ def topology_of(graph: SketchGraph) -> Topology:
     return topology
 
 
+def forget_topologies() -> None:
+    """Begin anew, as for sketches never seen: what measures a solve from nothing needs this."""
+    with _lock:
+        _kept.clear()
+
+
 _Key = tuple[Any, ...]
 _kept: list[tuple[_Key, Topology]] = []
 _lock = Lock()

@@ -356,6 +356,18 @@
         <translation>Flächen sind bekannt, sobald die Skizze gelöst ist: die Zeile unten sagt, was fehlt</translation>
     </message>
     <message>
+        <source>Fix length</source>
+        <translation>Länge festhalten</translation>
+    </message>
+    <message>
+        <source>Fix or free length</source>
+        <translation>Länge festhalten oder freigeben</translation>
+    </message>
+    <message>
+        <source>Fix the length of the edges selected in 3D, to type it anew among the model's dimensions; fixed ones follow the drawing again</source>
+        <translation>Die Länge der in 3D ausgewählten Kanten festhalten, um sie bei den Maßen des Modells neu einzugeben; festgehaltene folgen wieder der Zeichnung</translation>
+    </message>
+    <message>
         <source>Follows from the others</source>
         <translation>Folgt aus den anderen</translation>
     </message>
@@ -370,6 +382,10 @@
     <message>
         <source>Free border of a sheet</source>
         <translation>Freier Rand eines Bogens</translation>
+    </message>
+    <message>
+        <source>Free length</source>
+        <translation>Länge freigeben</translation>
     </message>
     <message>
         <source>Full width that the beam removes; changes the cut paths only, never the plates</source>
@@ -936,6 +952,10 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und 2 GB b
     <message>
         <source>choose a photo sketch</source>
         <translation>bitte eine Fotoskizze wählen</translation>
+    </message>
+    <message>
+        <source>edges of the mirrored half follow those that are drawn: select one of these</source>
+        <translation>Kanten der gespiegelten Hälfte folgen den gezeichneten: bitte eine von diesen auswählen</translation>
     </message>
     <message>
         <source>follows from the drawing and the other dimensions</source>

@@ -356,6 +356,18 @@
         <translation>面はスケッチが解けるとわかります。足りないものは下の行に表示されます</translation>
     </message>
     <message>
+        <source>Fix length</source>
+        <translation>長さを固定</translation>
+    </message>
+    <message>
+        <source>Fix or free length</source>
+        <translation>長さを固定または解放</translation>
+    </message>
+    <message>
+        <source>Fix the length of the edges selected in 3D, to type it anew among the model's dimensions; fixed ones follow the drawing again</source>
+        <translation>3D で選択した辺の長さを固定し、モデルの寸法で入力し直せるようにする。固定済みの辺は再び図に従います</translation>
+    </message>
+    <message>
         <source>Follows from the others</source>
         <translation>他から決まります</translation>
     </message>
@@ -370,6 +382,10 @@
     <message>
         <source>Free border of a sheet</source>
         <translation>板材の余白</translation>
+    </message>
+    <message>
+        <source>Free length</source>
+        <translation>長さを解放</translation>
     </message>
     <message>
         <source>Full width that the beam removes; changes the cut paths only, never the plates</source>
@@ -936,6 +952,10 @@ FreeCAD のフォルダーに入れます。数分と 2 GB かかることがあ
     <message>
         <source>choose a photo sketch</source>
         <translation>写真スケッチを選択してください</translation>
+    </message>
+    <message>
+        <source>edges of the mirrored half follow those that are drawn: select one of these</source>
+        <translation>鏡映された側の辺は描いた辺に従います。描いた辺を選択してください</translation>
     </message>
     <message>
         <source>follows from the drawing and the other dimensions</source>

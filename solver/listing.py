@@ -156,7 +156,7 @@ def _with_face(graph: SketchGraph, choice: Choice, change: Callable[[Face], Face
 
 
 def with_new_faces(
-    before: tuple[SketchGraph, Solution], after: tuple[SketchGraph, Solution]
+    before: tuple[SketchGraph, Solution | None], after: tuple[SketchGraph, Solution]
 ) -> SketchGraph:
     """The graph after an edit, faces that came with it added to its list.
 
@@ -168,23 +168,25 @@ def with_new_faces(
     Parameters
     ----------
     before, after : (SketchGraph, Solution)
-        The sketch on both sides of the edit, each with its solution.
+        The sketch on both sides of the edit, each with its solution, if there was one before.
     """
     graph, solution = after
     if graph.faces is None:
         return graph
     found = found_faces(graph, solution)
-    known = {_key(face) for face in found_faces(*before).values()}
-    was_solved = before[1].status is Status.CONVERGED
+    old, solved = before
+    was_solved = solved is not None and solved.status is Status.CONVERGED
+    at = {} if solved is None else solved.vertices_mm
+    known = set() if solved is None else {_key(f) for f in found_faces(old, solved).values()}
     bounded = {side for face in graph.faces.values() for side in _sides(face)}
-    lost = [face for id_, face in (before[0].faces or {}).items() if id_ not in graph.faces]
+    lost = [face for id_, face in (old.faces or {}).items() if id_ not in graph.faces]
     added = {}
     for id_, face in choices(graph, found).items():
         is_new = _key(face) not in known if was_solved else not _sides(face) <= bounded
         if id_ in graph.faces or not is_new:
             continue
         if _whole_of(face, graph.faces, solution.vertices_mm) is None:
-            added[id_] = _heir(face, lost, before[1].vertices_mm)
+            added[id_] = _heir(face, lost, at)
     return replace(graph, faces={**graph.faces, **added}) if added else graph
 
 

@@ -165,6 +165,13 @@ def test_a_window_in_a_wall_can_be_left_out(photo, empty):
     assert not open_.faces[window].included
 
 
+def test_a_face_is_new_where_nothing_was_solved_before(photo, empty):
+    before = said(empty, face_of(solve(empty).faces, *FRONT), included=False)
+    drawn, shelf = with_a_shelf(photo, before)
+    after = with_new_faces((before, None), (drawn, solve(drawn)))
+    assert set(after.faces) - set(before.faces) == {face_of(after.faces, *shelf)}
+
+
 def test_nothing_is_listed_where_nothing_was(photo, empty):
     drawn, _ = with_a_shelf(photo, empty)
     assert grown(empty, drawn).faces is None

@@ -6,6 +6,7 @@ nothing of it; the end of a gesture is one step of the document.
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
@@ -36,6 +37,9 @@ if TYPE_CHECKING:
     from ...solver.graph import SketchGraph
     from ...solver.solution import Solution
     from ..canvas.qt import QtGui
+
+#: How long an edit of a sketch that lists its faces may wait for the solve that shows new ones.
+PATIENCE_S = 0.5
 
 
 class SketchController:
@@ -82,15 +86,17 @@ class SketchController:
         from ...solver.listing import with_new_faces
         from ...solver.serialise import sketch_to_text
 
-        if graph.faces is None:
+        stored = self._stored_graph()
+        if graph.faces is None or stored is None or _bounds_the_same(stored, graph):
             return graph
-        try:
-            sides = (pipeline.graph_of(self.obj.Sketch), graph)
-            before, after = ((g, pipeline.solution_of(sketch_to_text(g))) for g in sides)
-            return with_new_faces(before, after)
-        except known_problems():
-            # What it is will be told when the document is recomputed.
+        deadline = time.perf_counter() + PATIENCE_S
+        solution = pipeline.lift(graph, stop=lambda: time.perf_counter() > deadline)
+        if solution.status.value != "converged":
+            # Its faces come with the edit that makes it solvable.
             return graph
+        pipeline.remember_solution(sketch_to_text(graph), solution)
+        known = pipeline.known_solution_of(self.obj.Sketch)
+        return with_new_faces((stored, known), (graph, solution))
 
     def undo(self) -> None:
         """Undo the document's last step, whatever it was."""
@@ -271,6 +277,12 @@ class SketchController:
         if solution.status.value == "converged":
             self._solved = Solved(graph, solution)
         self.tab.view.set_solved(self._solved)
+
+
+def _bounds_the_same(one: SketchGraph, other: SketchGraph) -> bool:
+    """Whether two graphs differ in nothing that makes faces: only in positions, say."""
+    said = (one.edges, one.annotations, one.construction)
+    return said == (other.edges, other.annotations, other.construction)
 
 
 def _parameters_of(graph: SketchGraph) -> Mapping[str, int]:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from incontext.solver import load_sketch, solve
-from incontext.tests.freecad.hands import pump
+from incontext.tests.freecad.hands import pump, wait_until
 from incontext.workbench.features import pipeline
 
 EXAMPLE = Path(__file__).parents[2] / "resources" / "examples" / "bookshelf"
@@ -66,7 +66,9 @@ def annotate(person):
     person.click("v1", "v2")
     person.type("210")
     person.press("Return")
+    # A person sees when it is solved; faces are known from then on.
     person.press("o")
+    wait_until(lambda: "click again" in person.view.hint)
     for loop in OPEN:
         person.click(*loop)
 

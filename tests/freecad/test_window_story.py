@@ -1,7 +1,5 @@
 """Stories of a person at work in FreeCAD's window, with real mouse and keys."""
 
-from dataclasses import replace
-
 import FreeCADGui
 import numpy as np
 import pytest
@@ -9,6 +7,7 @@ from PySide import QtCore
 
 from incontext.solver.annotating import set_length
 from incontext.solver.camera import Camera
+from incontext.solver.editing import add_edge, add_vertex
 from incontext.tests.freecad.hands import wait_until
 from incontext.workbench.canvas.overlay import Findings
 from incontext.workbench.features import pipeline
@@ -198,10 +197,10 @@ def test_tab_says_without_a_model_what_is_missing_and_what_disagrees(window, she
     wait_until(lambda: not controller.lifting.is_busy)
     assert view.findings.conflicts
     assert controller.tab.outcome == solution_of(controller).message
-    ground_only = shelf.annotations_of("ground")
-    controller.write(replace(shelf, annotations=ground_only), "Less")
+    hanging, vertex = add_vertex(shelf, (600, 100))
+    controller.write(add_edge(hanging, vertex, "v8")[0], "Draw line")
     wait_until(lambda: not controller.lifting.is_busy)
-    assert view.findings.loose
+    assert view.findings.loose == {vertex}
     assert controller.tab.outcome == solution_of(controller).message
 
 

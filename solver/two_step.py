@@ -266,7 +266,7 @@ def _describe(
     placed = put_in_world(graph, core, lifted.problem, pose)
     vertices, circles = placed.vertices, placed.circles
     geometry, on_faces = _with_copies(graph, vertices)
-    residuals = annotation_residuals(graph, vertices, geometry.faces, circles)
+    residuals = annotation_residuals(graph, geometry.vertices, geometry.faces, circles)
     open_ = freedoms(lifted.full, pose, [*core.vertices, *core.circles])
     extent = np.array([*vertices.values(), *(c.center_mm for c in circles.values())])
     conflicts = unmet_annotations(residuals, size_of(extent.reshape(-1, 3)))

@@ -9,7 +9,7 @@ from asserts import assert_solved
 from scenes import box, house, photograph
 
 from incontext.solver import solve
-from incontext.solver.annotations import Ground, RightAngle, SymmetryPlane
+from incontext.solver.annotations import Ground, OnFace, RightAngle, SymmetryPlane
 from incontext.solver.graph import SketchGraph
 
 
@@ -76,3 +76,12 @@ def test_the_plane_holds_exactly_on_a_careless_sketch():
     solution = solve(graph)
     assert_solved(solution)
     assert solution.report.residuals["mirror"].value < 1e-9
+
+
+def test_a_vertex_is_measured_against_a_face_of_mirrored_vertices():
+    graph, _ = half_of_a_box()
+    faces = solve(graph).faces
+    mirrored = next(id_ for id_, face in faces.items() if "v5@mirror" in face.loop)
+    said = {**graph.annotations, "on": OnFace("v0", mirrored)}
+    residuals = solve(replace(graph, annotations=said)).report.residuals
+    assert residuals["on"].value > 1.0

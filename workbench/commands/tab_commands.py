@@ -5,7 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, ClassVar
 
 from .. import host
+from ..features.photo_sketch import is_photo_sketch
 from .base import Command
+from .choosing import objects_of
 
 if TYPE_CHECKING:
     from ..canvas.view import SketchView
@@ -25,6 +27,9 @@ class TabCommand(Command):
 
     def IsActive(self) -> bool:  # noqa: N802
         """With a sketch's tab at the front."""
+        if not objects_of(is_photo_sketch):
+            # FreeCAD asks while it starts, which must not wait for the solver.
+            return False
         from ..panels.tabs import active_tab
 
         return active_tab() is not None

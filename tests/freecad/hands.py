@@ -58,6 +58,11 @@ class Hands:
         self.move(point)
         self._do("click", "1")
 
+    def double_click(self, point) -> None:
+        """Press and let go twice at a position."""
+        self.move(point)
+        self._do("click", "--repeat", "2", "--delay", "80", "1")
+
     def press(self, keys: str) -> None:
         """Press a key, such as ``ctrl+z``."""
         self._do("key", keys)

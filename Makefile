@@ -3,7 +3,7 @@
 #   make run      FreeCAD with the bookshelf example; without a display, its files in build/bookshelf
 #   make test     lint, types, tests in Python and inside this system's FreeCAD
 #   make test-matrix  the tests inside FreeCAD 0.20, 1.0 and 1.1; the newer two are fetched once
-#   make test-all     both, and the solver with the oldest numpy and scipy: what CI runs
+#   make test-others  FreeCAD 1.0 and 1.1, and the solver with the oldest numpy and scipy: what `make test` leaves out
 #   make setup    what the two need: packages of Debian, and .venv
 #   make bench    the solver beside the paper's, Lipson's and SolveSpace's: one table
 #   make lint     make types     make format     make clean
@@ -33,7 +33,7 @@ define apt_install
 		--yes --no-install-recommends $(call missing,$(1)))
 endef
 
-.PHONY: run test test-matrix test-all setup bench lint types format clean
+.PHONY: run test test-matrix test-others setup bench lint types format clean
 
 run: $(READY)
 	@$(PYTHON) -m incontext.workbench.launch
@@ -44,8 +44,8 @@ test: $(READY) build/.test-packages
 test-matrix: $(READY) build/.test-packages build/.matrix-packages
 	@$(PYTHON) tests/stages.py console window freecad_1_0 freecad_1_1
 
-test-all: $(READY) build/.test-packages build/.matrix-packages
-	@$(PYTHON) tests/stages.py all
+test-others: $(READY) build/.test-packages build/.matrix-packages
+	@$(PYTHON) tests/stages.py oldest freecad_1_0 freecad_1_1
 
 setup: $(READY) build/.test-packages
 

@@ -57,6 +57,10 @@ mount --rbind /dev "$0/dev" && mount -t proc proc "$0/proc" && mount -t tmpfs tm
 ENTER = 'exec chroot "$0" "$@"'
 
 
+#: Status where a root cannot be made or entered, as testing tools have it for what they skip.
+CANNOT = 77
+
+
 class RootError(RuntimeError):
     """A root could not be made or entered; says what to try."""
 
@@ -355,9 +359,9 @@ def main(arguments: list[str]) -> int:
             root = next(r for r in ROOTS if r.freecad == arguments[1])
             ensure(root)
             return run(root, arguments[2:])
-    except RootError as error:
+    except (RootError, OSError, subprocess.CalledProcessError) as error:
         print(error)
-        return 1
+        return CANNOT
     print(__doc__)
     return 2
 

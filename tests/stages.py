@@ -8,6 +8,7 @@ python tests/stages.py all        all, with other versions of FreeCAD, Python, n
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -19,6 +20,10 @@ from incontext.workbench.launch import Launch, LaunchError, run
 ROOT = Path(__file__).resolve().parent.parent
 #: Another addon with folders named like ours, always there when we run inside FreeCAD.
 DECOY = ROOT / "tests" / "freecad" / "decoy_addon"
+#: The status of roots.py where a root cannot be had, and the variable that lets this pass: some
+#: machines allow no root in them. It is said aloud all the same.
+CANNOT = 77
+MAY_MISS = "INCONTEXT_ROOTS_MAY_MISS"
 #: pytest's status for "no tests were collected" is 5, so an empty stage fails as well.
 PYTEST = ["-p", "no:cacheprovider", "--quiet"]
 #: FreeCAD's own import hooks are older than Python's present way.
@@ -112,6 +117,9 @@ def _in_root(version: str) -> int:
     """The tests in another FreeCAD; that it cannot be had is a failure, told in words."""
     command = [sys.executable, "tests/roots.py", "run", version, "python3", "tests/stages.py"]
     as_root = [] if os.geteuid() == 0 else ["sudo", "--preserve-env"]
+    if as_root and shutil.which("sudo") is None:
+        print("only root can make and enter roots, and there is no sudo")
+        return CANNOT
     stages = ("python", "console", "window")
     return subprocess.run([*as_root, *command, *stages], cwd=ROOT, check=False).returncode
 
@@ -142,12 +150,18 @@ def main(names: list[str]) -> int:
     if unknown:
         print(f"no such stage: {', '.join(unknown)}; there are: {', '.join(STAGES)}")
         return 2
-    failed = []
+    failed, missed = [], []
     for name in names:
         print(f"== {name}: {STAGES[name].__doc__}", flush=True)
-        if STAGES[name]() != 0:
+        status = STAGES[name]()
+        if status == CANNOT and os.environ.get(MAY_MISS):
+            missed.append(name)
+        elif status != 0:
             failed.append(name)
-    print(f"== failed: {', '.join(failed)}" if failed else "== all stages passed")
+    if missed:
+        print(f"== NOT TESTED, for this machine cannot make their roots: {', '.join(missed)}")
+    passed = "== all other stages passed" if missed else "== all stages passed"
+    print(f"== failed: {', '.join(failed)}" if failed else passed)
     return 1 if failed else 0
 
 

@@ -84,16 +84,30 @@ def set_length(graph: SketchGraph, edge: str, length_mm: float | None) -> Sketch
         Where the length is not above 0, or the edge is not there.
     """
     need((edge,), graph.edges)
-    annotations = graph.annotations.items()
-    said = [id_ for id_, a in annotations if isinstance(a, Length) and a.edge == edge]
+    said = [i for i, a in graph.annotations.items() if isinstance(a, Length) and a.edge == edge]
     if length_mm is None:
         return without_annotations(graph, said)
-    if not 0 < length_mm < float("inf"):
-        raise SketchError(f"a length of {length_mm:g} mm", (edge,), "a length above 0")
-    length = Length(edge, float(length_mm))
+    need_size("length", length_mm, edge)
+    return say_once(graph, said, Length(edge, float(length_mm)))
+
+
+def need_size(what: str, size_mm: float, element: str) -> None:
+    """Refuse a size that is none.
+
+    Raises
+    ------
+    SketchError
+        Where it is not above 0, or infinite.
+    """
+    if not 0 < size_mm < float("inf"):
+        raise SketchError(f"a {what} of {size_mm:g} mm", (element,), f"a {what} above 0")
+
+
+def say_once(graph: SketchGraph, said: list[str], annotation: Annotation) -> SketchGraph:
+    """The graph with an annotation in the place of the first one that said the like, else added."""
     if said:
-        return replace(graph, annotations={**graph.annotations, said[0]: length})
-    return annotate(graph, length)[0]
+        return replace(graph, annotations={**graph.annotations, said[0]: annotation})
+    return annotate(graph, annotation)[0]
 
 
 def on_ground(graph: SketchGraph) -> frozenset[str]:

@@ -12,7 +12,7 @@ import math
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
-from .annotating import annotate, without_annotations
+from .annotating import need_size, say_once, without_annotations
 from .annotations import Diameter
 from .editing import move_vertices, rounded
 from .errors import SketchError
@@ -40,18 +40,6 @@ def add_circle(graph: SketchGraph, drawn: Ellipse) -> tuple[SketchGraph, str]:
     """The graph with one more circle, and its id."""
     circle = fresh_id("c", (*graph.circles, *graph.edges))
     return replace(graph, circles={**graph.circles, circle: ordered(drawn)}), circle
-
-
-def set_circle(graph: SketchGraph, circle: str, drawn: Ellipse) -> SketchGraph:
-    """The graph with a circle drawn elsewhere or otherwise.
-
-    Raises
-    ------
-    SketchReferenceError
-        Where it is not there.
-    """
-    need((circle,), graph.circles)
-    return replace(graph, circles={**graph.circles, circle: ordered(drawn)})
 
 
 def shifted(drawn: Ellipse, by_px: Point) -> Ellipse:
@@ -97,16 +85,13 @@ def set_diameter(graph: SketchGraph, circle: str, diameter_mm: float | None) -> 
         Where the diameter is not above 0, or the circle is not there.
     """
     need((circle,), graph.circles)
-    annotations = graph.annotations.items()
-    said = [id_ for id_, a in annotations if isinstance(a, Diameter) and a.circle == circle]
+    said = [
+        i for i, a in graph.annotations.items() if isinstance(a, Diameter) and a.circle == circle
+    ]
     if diameter_mm is None:
         return without_annotations(graph, said)
-    if not 0 < diameter_mm < float("inf"):
-        raise SketchError(f"a diameter of {diameter_mm:g} mm", (circle,), "a diameter above 0")
-    diameter = Diameter(circle, float(diameter_mm))
-    if said:
-        return replace(graph, annotations={**graph.annotations, said[0]: diameter})
-    return annotate(graph, diameter)[0]
+    need_size("diameter", diameter_mm, circle)
+    return say_once(graph, said, Diameter(circle, float(diameter_mm)))
 
 
 def set_revolution(

@@ -228,6 +228,10 @@
         <translation>Angabe löschen</translation>
     </message>
     <message>
+        <source>Delete takes back what is said; a second click, or Enter, changes a size</source>
+        <translation>Entf nimmt die Angabe zurück; ein zweiter Klick oder die Eingabetaste ändert ein Maß</translation>
+    </message>
+    <message>
         <source>Diameter</source>
         <translation>Durchmesser</translation>
     </message>

@@ -228,6 +228,10 @@
         <translation>注釈を削除</translation>
     </message>
     <message>
+        <source>Delete takes back what is said; a second click, or Enter, changes a size</source>
+        <translation>Delete で指定を取り消します。もう一度クリックするか Enter で寸法を変更します</translation>
+    </message>
+    <message>
         <source>Diameter</source>
         <translation>直径</translation>
     </message>

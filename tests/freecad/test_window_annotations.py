@@ -163,3 +163,34 @@ def test_panel_goes_with_the_last_tab(panel, document):
     document.removeObject("PhotoSketch")
     wait_until(lambda: not dock.isVisible())
     FreeCAD.closeDocument(other.Name)
+
+
+def symbol_place(controller, id_):
+    """Where the symbol of an annotation is on the screen."""
+    from incontext.workbench.canvas import said
+    from incontext.workbench.canvas.marks import marks_of
+
+    view = controller.tab.view
+    places = said.on_photo(view.graph, marks_of(view.graph), 1 / view.zoom)
+    symbol = said.symbol_of(places, id_)
+    place = symbol.areas[0][2] if id_ == "a1" else said.middle((*symbol.areas, *symbol.lines)[0])
+    return view.viewport().mapToGlobal(view.mapFromScene(QtCore.QPointF(*place)))
+
+
+def test_symbols_are_clicked_and_deleted_in_the_sketch(panel, controller, hands, document):
+    view = controller.tab.view
+    for id_ in ("a1", "equal", "length"):
+        hands.move(symbol_place(controller, id_))
+        assert view._drawing.preview.lit.annotations == {id_}
+        hands._do("click", "1")
+        assert view.selection == Selection(annotations=frozenset((id_,)))
+        assert panel.selected_ids() == {id_}
+    hands._do("click", "1")
+    hands.type("30 cm")
+    hands.press("Return")
+    assert view.graph.annotations["length"].length_mm == 300
+    hands.click(symbol_place(controller, "a1"))
+    hands.press("Delete")
+    assert "a1" not in view.graph.annotations
+    assert document.UndoNames[0] == "Delete"
+    assert len(document.Objects) == 3

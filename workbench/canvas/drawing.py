@@ -18,6 +18,7 @@ from ...solver.annotating import set_length
 from ...solver.editing import delete, toggle_construction
 from ...solver.graph import Face, Point, SketchGraph
 from ...solver.listing import Choice, set_thickness
+from .marks import Marks, marks_of
 from .preview import Preview, Selection
 from .questions import About, Question
 from .solved import Solved, face_choices
@@ -53,6 +54,7 @@ class Drawing:
         self._selection = Selection()
         self._pointer: Pointer | None = None
         self._solved: Solved | None = None
+        self._marked: tuple[object, Marks] | None = None
         self._tool: Tool = TOOLS["select"](self)
 
     @property
@@ -109,6 +111,15 @@ class Drawing:
             selection.annotations & set(self._graph.annotations),
         )
         self._listener.changed()
+
+    @property
+    def marks(self) -> Marks:
+        """The marks of the graph's annotations, which stay the same while it is dragged."""
+        graph = self._graph
+        said = (graph.annotations, graph.edges, graph.faces)
+        if self._marked is None or self._marked[0] != said:
+            self._marked = (said, marks_of(graph))
+        return self._marked[1]
 
     def ask(self, question: Question) -> None:
         """Have a person asked."""
@@ -184,8 +195,13 @@ class Drawing:
         self._listener.changed()
 
     def finish(self) -> None:
-        """Enter or the right button: done with what was begun."""
+        """The right button: done with what was begun."""
         self._tool.finish()
+        self._listener.changed()
+
+    def enter(self) -> None:
+        """The Enter key: done with what was begun; or change what is selected."""
+        self._tool.enter()
         self._listener.changed()
 
     def escape(self) -> None:

@@ -13,6 +13,7 @@ from .marks import Marks
 from .plane import middle
 from .plaques import paint_numbers, paint_plaques
 from .qt import QtCore, QtGui
+from .said import Places, arrows_on, ticks_on
 from .symmetry import outline_of
 
 if TYPE_CHECKING:
@@ -59,6 +60,11 @@ class Scene:
         """Screen positions of an edge's two ends."""
         v, w = self.graph.edges[edge]
         return self.screen[v], self.screen[w]
+
+    @property
+    def places(self) -> Places:
+        """Where the symbols of annotations lie."""
+        return Places(self.graph, self.marks, self.screen, self.circles)
 
 
 def paint(painter: QtGui.QPainter, scene: Scene) -> None:
@@ -144,12 +150,18 @@ def _paint_right_angles(painter: QtGui.QPainter, scene: Scene) -> None:
 
 
 def _paint_marks(painter: QtGui.QPainter, scene: Scene) -> None:
-    strokes: list[Stroke] = []
+    """Ticks and arrows: each group its number of them, and its colour."""
+    strokes: dict[str, list[Stroke]] = {}
     for edge, count in scene.marks.equal_lengths.items():
-        strokes += symbols.ticks(*scene.ends(edge), count, style.TICK_PX, style.MARK_SPACING_PX)
+        strokes.setdefault(_group_colour(count), []).extend(ticks_on(scene.places, edge))
     for edge, count in scene.marks.parallels.items():
-        strokes += symbols.arrows(*scene.ends(edge), count, style.ARROW_PX, style.MARK_SPACING_PX)
-    stroke(painter, strokes, style.ANNOTATION, style.SYMBOL_PX)
+        strokes.setdefault(_group_colour(count), []).extend(arrows_on(scene.places, edge))
+    for colour, lines in strokes.items():
+        stroke(painter, lines, colour, style.SYMBOL_PX)
+
+
+def _group_colour(number: int) -> str:
+    return style.GROUPS[(number - 1) % len(style.GROUPS)]
 
 
 def _paint_symmetry_planes(painter: QtGui.QPainter, scene: Scene) -> None:
@@ -163,7 +175,7 @@ def _paint_symmetry_planes(painter: QtGui.QPainter, scene: Scene) -> None:
 
 def _paint_touching(painter: QtGui.QPainter, scene: Scene) -> None:
     """A ring around vertices that touch a face."""
-    radius = 1.9 * style.VERTEX_RADIUS_PX
+    radius = style.TOUCHING_PX
     places = [scene.screen[v] for v in scene.marks.on_face]
     rings = [
         symbols.ellipse(((x - radius, y), (x + radius, y)), ((x, y - radius), (x, y + radius)))

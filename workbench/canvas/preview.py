@@ -32,6 +32,7 @@ class Selection:
             self.vertices & other.vertices
             or self.edges & other.edges
             or self.circles & other.circles
+            or self.annotations & other.annotations
         )
 
     def toggled(self, other: Selection) -> Selection:

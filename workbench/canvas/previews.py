@@ -10,6 +10,7 @@ from . import style, symbols
 from .overlay import Scene, fine, polygon, stroke
 from .plane import middle
 from .qt import QtCore, QtGui
+from .said import symbol_of
 from .snapping import Snap, SnapKind
 
 if TYPE_CHECKING:
@@ -36,8 +37,9 @@ def paint_below(painter: QtGui.QPainter, scene: Scene, work: Work) -> None:
     """Paint halos behind edges and circles that are lit or selected, and faces that are lit."""
     painter.setRenderHint(QtGui.QPainter.Antialiasing)
     _areas(painter, [[work.on_screen(p) for p in area] for area in work.preview.areas])
-    _halos(painter, scene, work.preview.lit, style.HOVER)
-    _halos(painter, scene, work.selection.with_targets(scene.graph), style.SELECTED)
+    for chosen, colour in ((work.preview.lit, style.HOVER), (work.selection, style.SELECTED)):
+        _halos(painter, scene, chosen.with_targets(scene.graph), colour)
+        _symbol_halos(painter, scene, chosen.annotations, colour)
 
 
 def _areas(painter: QtGui.QPainter, areas: list[list[Point]]) -> None:
@@ -63,11 +65,31 @@ def _halos(painter: QtGui.QPainter, scene: Scene, chosen: Selection, colour: str
         painter.drawPolyline(polygon(scene.circles[circle]))
 
 
+def _symbol_halos(
+    painter: QtGui.QPainter, scene: Scene, annotations: frozenset[str], colour: str
+) -> None:
+    """Bands behind the symbols of annotations."""
+    pen = QtGui.QPen(QtGui.QColor(colour), style.SYMBOL_HALO_PX)
+    pen.setCapStyle(_Qt.RoundCap)
+    pen.setJoinStyle(_Qt.RoundJoin)
+    painter.setPen(pen)
+    places = scene.places
+    for id_ in annotations & set(scene.graph.annotations):
+        symbol = symbol_of(places, id_)
+        painter.setBrush(_Qt.NoBrush)
+        for line in symbol.lines:
+            painter.drawPolyline(polygon(line))
+        painter.setBrush(QtGui.QColor(colour))
+        for area in symbol.areas:
+            painter.drawPolygon(polygon(area))
+
+
 def paint_above(painter: QtGui.QPainter, scene: Scene, work: Work) -> None:
     """Paint all the rest."""
     chosen = work.selection.with_targets(scene.graph)
     _vertices(painter, scene, chosen.vertices, style.SELECTED)
-    _vertices(painter, scene, work.preview.lit.vertices, style.HOVER)
+    lit = work.preview.lit.with_targets(scene.graph)
+    _vertices(painter, scene, lit.vertices, style.HOVER)
     guides = [tuple(map(work.on_screen, line)) for line in work.preview.guides]
     fine(painter, guides, style.GUIDE)
     bands = [[work.on_screen(p) for p in line] for line in work.preview.strokes]

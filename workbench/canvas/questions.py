@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import Enum
+from typing import TYPE_CHECKING
 
-from .plane import Point
+from .plane import Point, middle
+
+if TYPE_CHECKING:
+    from ...solver.graph import SketchGraph
 
 
 class About(Enum):
@@ -35,3 +39,25 @@ class Question:
     target: str
     at_px: Point
     said_mm: float | None = None
+
+
+def about_edge(graph: SketchGraph, edge: str) -> Question:
+    """How long is an edge?"""
+    lengths = graph.annotations_of("length").values()
+    said = next((a.length_mm for a in lengths if a.edge == edge), None)
+    return Question(About.EDGE, edge, middle([graph.vertices[v] for v in graph.edges[edge]]), said)
+
+
+def about_circle(graph: SketchGraph, circle: str) -> Question:
+    """How wide is a circle?"""
+    diameters = graph.annotations_of("diameter").values()
+    said = next((a.diameter_mm for a in diameters if a.circle == circle), None)
+    return Question(About.CIRCLE, circle, middle(graph.circles[circle].a), said)
+
+
+def about_annotation(graph: SketchGraph, id_: str) -> Question | None:
+    """The question to which an annotation is the answer; None where it is no size."""
+    annotation = graph.annotations[id_]
+    if annotation.kind == "length":
+        return about_edge(graph, annotation.edge)
+    return about_circle(graph, annotation.circle) if annotation.kind == "diameter" else None

@@ -15,6 +15,8 @@ GROUND = "#1f9d3a"
 SYMMETRY = "#12872b"
 HOVER = "#ffd21f"
 ANNOTATION = "#d8281c"
+GROUPS = (ANNOTATION, "#8a2be2", "#00796b", "#a0522d", "#c2185b", "#37474f")
+"""Of groups of equal or parallel edges, which differ by the number of their marks as well."""
 SELECTED = "#00c2d1"
 SNAP = "#e0790b"
 GUIDE = "#c25e00"
@@ -53,12 +55,16 @@ TEXT_PX = 12
 INVITATION_PX = 16
 HALO_PX = 9.0
 """Of the bands behind edges that are lit or selected."""
+SYMBOL_HALO_PX = 6.0
+"""Of the bands behind symbols that are lit or selected."""
 CONFLICT_PX = 12.0
 """Of the bands behind edges of which annotations say what cannot be."""
 SNAP_PX = 7.0
 DOT_PX = 3.0
 GRIP_PX = 7.0
 DIAMOND_PX = 4.5
+TOUCHING_PX = 6.8
+"""Radius of the ring around a vertex that touches a face."""
 BADGE_PX = 3.0
 HATCH_PX = 11.0
 FINE_PX = 1.3

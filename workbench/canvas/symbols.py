@@ -40,16 +40,33 @@ def _part(start: Point, end: Point, size_px: float) -> Point:
     return (start[0] + part * (end[0] - start[0]), start[1] + part * (end[1] - start[1]))
 
 
-def ticks(start: Point, end: Point, count: int, size_px: float, spacing_px: float) -> list[Stroke]:
-    """Short strokes across the middle of an edge: edges with equally many are equally long."""
-    (dx, dy), middles = _marks(start, end, count, spacing_px)
+def ticks(
+    start: Point,
+    end: Point,
+    count: int,
+    size_px: float,
+    spacing_px: float,
+    shift_px: float = 0.0,
+) -> list[Stroke]:
+    """Short strokes across the middle of an edge: edges with equally many are equally long.
+
+    `shift_px` moves them along the edge, towards the right.
+    """
+    (dx, dy), middles = _marks(*_rightwards(start, end), count, spacing_px, shift_px)
     half = size_px / 2
     return [((x - half * dy, y + half * dx), (x + half * dy, y - half * dx)) for x, y in middles]
 
 
-def arrows(start: Point, end: Point, count: int, size_px: float, spacing_px: float) -> list[Stroke]:
-    """Arrow heads along an edge: edges with equally many are parallel."""
-    (dx, dy), middles = _marks(*_rightwards(start, end), count, spacing_px)
+def arrows(
+    start: Point,
+    end: Point,
+    count: int,
+    size_px: float,
+    spacing_px: float,
+    shift_px: float = 0.0,
+) -> list[Stroke]:
+    """Arrow heads along an edge: edges with equally many are parallel; `shift_px` as for ticks."""
+    (dx, dy), middles = _marks(*_rightwards(start, end), count, spacing_px, shift_px)
     half = size_px / 2
     return [
         (
@@ -66,12 +83,14 @@ def _rightwards(start: Point, end: Point) -> tuple[Point, Point]:
     return (start, end) if (start[0], start[1]) <= (end[0], end[1]) else (end, start)
 
 
-def _marks(start: Point, end: Point, count: int, spacing_px: float) -> tuple[Point, list[Point]]:
+def _marks(
+    start: Point, end: Point, count: int, spacing_px: float, shift_px: float = 0.0
+) -> tuple[Point, list[Point]]:
     """The edge's direction, and `count` places about its middle."""
     length = math.dist(start, end) or 1.0
     dx, dy = (end[0] - start[0]) / length, (end[1] - start[1]) / length
     middle = ((start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
-    offsets = [(k - (count - 1) / 2) * spacing_px for k in range(count)]
+    offsets = [shift_px + (k - (count - 1) / 2) * spacing_px for k in range(count)]
     return (dx, dy), [(middle[0] + o * dx, middle[1] + o * dy) for o in offsets]
 
 

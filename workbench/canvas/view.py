@@ -12,7 +12,6 @@ from .ghosts import Ghosts
 from .length_editor import LengthEditor
 from .lift_painting import paint_lift
 from .lifted import LiftedView
-from .marks import Marks, marks_of
 from .numbers import Numbers
 from .photo_giving import photo_in
 from .photo_view import PhotoView
@@ -81,7 +80,6 @@ class SketchView(PhotoView):
         self._hint = ""
         self._lifted = LiftedView()
         self._ghosts = Ghosts()
-        self._marked: tuple[object, Marks] | None = None
         self._told: tuple[SketchGraph, Selection] = (graph, Selection())
         listener = Listener(self.graph_edited.emit, self._refresh, self._ask)
         self._drawing = Drawing(graph, listener)
@@ -221,7 +219,7 @@ class SketchView(PhotoView):
         paint_lift(painter, self._lifted, on_screen)
         rings = tuple(tuple(map(on_screen, line)) for line in turning.rings_of(graph))
         numbers, findings = self.numbers.of(graph), self._findings
-        scene = overlay.Scene(graph, self._marks(), screen, circles, findings, rings, numbers)
+        scene = overlay.Scene(graph, self._drawing.marks, screen, circles, findings, rings, numbers)
         work = previews.Work(
             self._drawing.preview, self._drawing.selection, on_screen, self.in_words
         )
@@ -241,14 +239,6 @@ class SketchView(PhotoView):
         way = self.viewportTransform()
         zoom, left, top = way.m11(), way.dx(), way.dy()
         return lambda point_px: (zoom * point_px[0] + left, zoom * point_px[1] + top)
-
-    def _marks(self) -> Marks:
-        """The marks of the graph's annotations, which stay the same while it is dragged."""
-        graph = self.graph
-        said = (graph.annotations, graph.edges, graph.faces)
-        if self._marked is None or self._marked[0] != said:
-            self._marked = (said, marks_of(graph))
-        return self._marked[1]
 
     # Mouse
 
@@ -326,7 +316,7 @@ class SketchView(PhotoView):
             "undo": self.undo_asked.emit,
             "redo": self.redo_asked.emit,
             "escape": self._escape,
-            "enter": self._drawing.finish,
+            "enter": self._drawing.enter,
             "delete": self._drawing.delete,
             "all": self._select_all,
             "paste": self._paste,

@@ -85,6 +85,10 @@ class Tool:
     def finish(self) -> None:
         """Done with what was begun."""
 
+    def enter(self) -> None:
+        """The Enter key: done with what was begun."""
+        self.finish()
+
     def cancel(self) -> bool:
         """Give up what was begun; False where there was nothing."""
         return False

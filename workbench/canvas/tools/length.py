@@ -5,9 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ..hit_testing import circle_at, edge_at
-from ..plane import middle
 from ..preview import Preview, Selection
-from ..questions import About, Question
+from ..questions import about_circle, about_edge
 from .base import Pointer, Tool
 
 if TYPE_CHECKING:
@@ -47,15 +46,9 @@ class LengthTool(Tool):
         """See `Tool`."""
         graph = self.drawing.graph
         for edge in self._lit.edges:
-            lengths = graph.annotations_of("length").values()
-            said = next((a.length_mm for a in lengths if a.edge == edge), None)
-            at = middle([graph.vertices[v] for v in graph.edges[edge]])
-            self.drawing.ask(Question(About.EDGE, edge, at, said))
+            self.drawing.ask(about_edge(graph, edge))
         for circle in self._lit.circles:
-            diameters = graph.annotations_of("diameter").values()
-            said = next((a.diameter_mm for a in diameters if a.circle == circle), None)
-            drawn = graph.circles[circle]
-            self.drawing.ask(Question(About.CIRCLE, circle, middle(drawn.a), said))
+            self.drawing.ask(about_circle(graph, circle))
 
     def graph_replaced(self) -> None:
         """See `Tool`."""

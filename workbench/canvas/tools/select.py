@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from ....solver import rounds
 from ....solver.editing import merge_vertices
+from .. import style
 from ..hit_testing import AxisEnd, axis_end_at, circle_at, edge_at, inside_box, vertex_at
 from ..plane import Point, on_line
 from ..preview import Preview, Selection
+from ..questions import about_annotation
+from ..said import annotation_at, on_photo, seen_at_vertex
 from ..snapping import Snap, SnapKind
 from .base import TREMBLE, Pointer, Tool
 
@@ -18,6 +22,8 @@ if TYPE_CHECKING:
 
 #: A grip stays on its axis up to this many times the reach beside it; further off, the axis turns.
 STRAIGHT = 1.5
+#: This near, in parts of the reach, a vertex comes before the symbols about it.
+ON_IT = 0.6
 
 
 class SelectTool(Tool):
@@ -38,10 +44,13 @@ class SelectTool(Tool):
         self._target: Snap | None = None
         self._is_drag = False
         self._grip: AxisEnd | None = None
+        self._was_chosen = False
 
     @property
     def hint(self) -> str:
         """See `Tool`."""
+        if self.drawing.selection.annotations:
+            return "Delete takes back what is said; a second click, or Enter, changes a size"
         if self.drawing.selection:
             return "Drag to move, Delete to remove, X for construction; Shift-click adds"
         return "Click or box to select; drag vertices, edges, circles and their grips to move them"
@@ -49,7 +58,7 @@ class SelectTool(Tool):
     @property
     def can_move(self) -> bool:
         """See `Tool`."""
-        return bool(self._lit)
+        return bool(self._lit) and not self._lit.annotations
 
     def preview(self) -> Preview:
         """See `Tool`."""
@@ -65,7 +74,12 @@ class SelectTool(Tool):
         """See `Tool`."""
         self._pressed_at, self._is_drag = pointer.point_px, False
         self._under = self._hit(pointer)
-        self._grip = self._grip_at(pointer)
+        self._was_chosen = self._under == self.drawing.selection
+        self._grip = None if self._under.annotations else self._grip_at(pointer)
+        self._take(pointer)
+
+    def _take(self, pointer: Pointer) -> None:
+        """Select what is under the pointer; where nothing is, begin a box."""
         if not self._under:
             self._box = (pointer.point_px, pointer.point_px)
             return
@@ -83,8 +97,18 @@ class SelectTool(Tool):
         elif self._box is not None:
             self._box = (self._pressed_at, pointer.point_px)
         elif self._is_drag or pointer.is_far_from(self._pressed_at, TREMBLE):
-            self._is_drag = True
-            self._drag(pointer)
+            if self._under.annotations and not self._is_drag:
+                self._take_below(pointer)
+            if self._box is None:
+                self._is_drag = True
+                self._drag(pointer)
+
+    def _take_below(self, pointer: Pointer) -> None:
+        """Take what lies below a symbol, which itself cannot be moved."""
+        start = replace(pointer, point_px=self._pressed_at)
+        self._under, self._grip = self._element(start), self._grip_at(start)
+        self.drawing.select(Selection())
+        self._take(start)
 
     def release(self, pointer: Pointer) -> None:
         """See `Tool`."""
@@ -96,9 +120,27 @@ class SelectTool(Tool):
             self._drop()
         elif not pointer.adding:
             # Pressed on a part of the selection and not dragged: this part was meant.
-            self.drawing.select(self._under)
+            self.drawing.select(self._said_there() if self._was_chosen else self._under)
         self._forget()
         self._lit = self._hit(pointer)
+
+    def _said_there(self) -> Selection:
+        """What a second click means: what a vertex shows to be said of it; a size, to be typed."""
+        graph = self.drawing.graph
+        for vertex in self._under.vertices:
+            said = next(seen_at_vertex(graph, vertex), None)
+            if said is not None:
+                return Selection(annotations=frozenset((said,)))
+        self.enter()
+        return self._under
+
+    def enter(self) -> None:
+        """See `Tool`: asks for the size that is selected."""
+        for id_ in self.drawing.selection.annotations:
+            question = about_annotation(self.drawing.graph, id_)
+            if question is not None:
+                self.drawing.ask(question)
+                return
 
     def cancel(self) -> bool:
         """See `Tool`."""
@@ -119,6 +161,16 @@ class SelectTool(Tool):
         self._grip = None
 
     def _hit(self, pointer: Pointer) -> Selection:
+        graph, reach = self.drawing.graph, pointer.reach_px
+        if vertex_at(graph, pointer.point_px, ON_IT * reach) is None:
+            size = reach / style.REACH_PX
+            said = annotation_at(on_photo(graph, self.drawing.marks, size), pointer.point_px)
+            if said is not None:
+                return Selection(annotations=frozenset((said,)))
+        return self._element(pointer)
+
+    def _element(self, pointer: Pointer) -> Selection:
+        """What is drawn under the pointer, whatever is said there."""
         graph, reach = self.drawing.graph, pointer.reach_px
         vertex = vertex_at(graph, pointer.point_px, reach)
         if vertex is not None:

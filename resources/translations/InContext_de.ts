@@ -396,8 +396,20 @@
         <translation>Volle Breite, die der Strahl wegnimmt; ändert nur die Schnittwege, nie die Platten</translation>
     </message>
     <message>
+        <source>Grid: {}</source>
+        <translation>Raster: {}</translation>
+    </message>
+    <message>
         <source>Ground</source>
         <translation>Boden</translation>
+    </message>
+    <message>
+        <source>Ground grid</source>
+        <translation>Bodenraster</translation>
+    </message>
+    <message>
+        <source>Have the pen stick to straight edges and corners that are seen in the photo</source>
+        <translation>Der Stift rastet an geraden Kanten und Ecken ein, die im Foto zu sehen sind</translation>
     </message>
     <message>
         <source>How far the triangles of exported files may leave curved surfaces</source>
@@ -720,6 +732,10 @@
         <translation>Mit Umschalt-Klick weitere Mitten wählen, dann Enter oder Rechtsklick; Esc bricht ab</translation>
     </message>
     <message>
+        <source>Show a grid on the ground in the photo's perspective, once that is known; the pen sticks to its lines and crossings</source>
+        <translation>Zeigt ein Raster am Boden in der Perspektive des Fotos, sobald sie bekannt ist; der Stift rastet an seinen Linien und Kreuzungen ein</translation>
+    </message>
+    <message>
         <source>Show at each vertex how many of its three coordinates are still its own: what is said of the sketch gives the others</source>
         <translation>An jedem Punkt zeigen, wie viele seiner drei Koordinaten noch eigene sind: die anderen ergeben sich aus den Angaben</translation>
     </message>
@@ -788,6 +804,10 @@
         <translation>Quadrat</translation>
     </message>
     <message>
+        <source>Stick to the photo's edges</source>
+        <translation>An Kanten des Fotos einrasten</translation>
+    </message>
+    <message>
         <source>Stopped; nothing is installed.</source>
         <translation>Abgebrochen; nichts wurde installiert.</translation>
     </message>
@@ -818,6 +838,10 @@
     <message>
         <source>The drawing and the annotations are too far apart: check the annotations.</source>
         <translation>Zeichnung und Angaben liegen zu weit auseinander: bitte die Angaben prüfen.</translation>
+    </message>
+    <message>
+        <source>The grid shows once the sketch is solved</source>
+        <translation>Das Raster erscheint, sobald die Skizze gelöst ist</translation>
     </message>
     <message>
         <source>The model that is hollowed out</source>
@@ -966,12 +990,24 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und 2 GB b
         <translation>folgt aus der Zeichnung und den anderen Maßen</translation>
     </message>
     <message>
+        <source>grid</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
         <source>key {} in the sketch</source>
         <translation>Taste {} in der Skizze</translation>
     </message>
     <message>
         <source>or</source>
         <translation>oder</translation>
+    </message>
+    <message>
+        <source>photo corner</source>
+        <translation>Fotoecke</translation>
+    </message>
+    <message>
+        <source>photo edge</source>
+        <translation>Fotokante</translation>
     </message>
     <message>
         <source>select {} first</source>

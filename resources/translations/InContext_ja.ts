@@ -396,8 +396,20 @@
         <translation>レーザーが削る全幅。切断線だけが変わり、板は変わりません</translation>
     </message>
     <message>
+        <source>Grid: {}</source>
+        <translation>グリッド: {}</translation>
+    </message>
+    <message>
         <source>Ground</source>
         <translation>地面</translation>
+    </message>
+    <message>
+        <source>Ground grid</source>
+        <translation>地面のグリッド</translation>
+    </message>
+    <message>
+        <source>Have the pen stick to straight edges and corners that are seen in the photo</source>
+        <translation>写真に写っている直線のエッジと角にペンを吸着させます</translation>
     </message>
     <message>
         <source>How far the triangles of exported files may leave curved surfaces</source>
@@ -720,6 +732,10 @@
         <translation>Shift+クリックで中点を追加し、Enter または右クリック。Esc で中止</translation>
     </message>
     <message>
+        <source>Show a grid on the ground in the photo's perspective, once that is known; the pen sticks to its lines and crossings</source>
+        <translation>写真の遠近法がわかると地面にグリッドを表示します。ペンは線と交点に吸着します</translation>
+    </message>
+    <message>
         <source>Show at each vertex how many of its three coordinates are still its own: what is said of the sketch gives the others</source>
         <translation>各頂点に、三つの座標のうち独自に残る数を表示。残りは注釈から決まります</translation>
     </message>
@@ -788,6 +804,10 @@
         <translation>正方形</translation>
     </message>
     <message>
+        <source>Stick to the photo's edges</source>
+        <translation>写真のエッジに吸着</translation>
+    </message>
+    <message>
         <source>Stopped; nothing is installed.</source>
         <translation>中止しました。何もインストールされていません。</translation>
     </message>
@@ -818,6 +838,10 @@
     <message>
         <source>The drawing and the annotations are too far apart: check the annotations.</source>
         <translation>図と注釈が離れすぎています。注釈を確認してください。</translation>
+    </message>
+    <message>
+        <source>The grid shows once the sketch is solved</source>
+        <translation>スケッチが解けるとグリッドが表示されます</translation>
     </message>
     <message>
         <source>The model that is hollowed out</source>
@@ -966,12 +990,24 @@ FreeCAD のフォルダーに入れます。数分と 2 GB かかることがあ
         <translation>図と他の寸法から決まります</translation>
     </message>
     <message>
+        <source>grid</source>
+        <translation>グリッド</translation>
+    </message>
+    <message>
         <source>key {} in the sketch</source>
         <translation>スケッチでキー {}</translation>
     </message>
     <message>
         <source>or</source>
         <translation>または</translation>
+    </message>
+    <message>
+        <source>photo corner</source>
+        <translation>写真の角</translation>
+    </message>
+    <message>
+        <source>photo edge</source>
+        <translation>写真のエッジ</translation>
     </message>
     <message>
         <source>select {} first</source>

@@ -18,9 +18,12 @@ from ...solver.annotating import set_length
 from ...solver.editing import delete, toggle_construction
 from ...solver.graph import Face, Point, SketchGraph
 from ...solver.listing import Choice, set_thickness
+from .attraction import Attraction
+from .ground_grid import GroundGrid
 from .marks import Marks, marks_of
 from .preview import Preview, Selection
 from .questions import About, Question
+from .snapping import Snap
 from .solved import Solved, face_choices
 from .tools import TOOLS
 from .tools.base import Pointer, Tool
@@ -54,6 +57,8 @@ class Drawing:
         self._selection = Selection()
         self._pointer: Pointer | None = None
         self._solved: Solved | None = None
+        #: What attracts the pen besides the drawing.
+        self.attraction = Attraction()
         self._marked: tuple[object, Marks] | None = None
         self._tool: Tool = TOOLS["select"](self)
 
@@ -120,6 +125,15 @@ class Drawing:
         if self._marked is None or self._marked[0] != said:
             self._marked = (said, marks_of(graph))
         return self._marked[1]
+
+    @property
+    def grid(self) -> GroundGrid | None:
+        """The grid on the ground, where it is shown and the perspective is known."""
+        return self.attraction.grid(self._committed, self._solved)
+
+    def attracted(self, found: Snap, reach_px: float) -> Snap:
+        """Where a press lands: as the drawing has it, or where something else attracts it."""
+        return self.attraction.attract(found, reach_px, self.grid)
 
     def ask(self, question: Question) -> None:
         """Have a person asked."""

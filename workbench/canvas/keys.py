@@ -16,6 +16,8 @@ _PLAIN = {
     _Qt.Key_Backspace: "delete",
     _Qt.Key_X: "construction",
     _Qt.Key_N: "numbers",
+    _Qt.Key_K: "grid",
+    _Qt.Key_I: "photo_edges",
     _Qt.Key_Space: "pan",
     _Qt.Key_F: "fit",
     _Qt.Key_Y: "suggestions",

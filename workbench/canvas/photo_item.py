@@ -8,7 +8,17 @@ level
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .photo_edges import Patch
 from .qt import QtCore, QtGui
+
+if TYPE_CHECKING:
+    from .plane import Point
+
+_Qt = QtCore.Qt
 
 #: From this zoom on photo pixels are shown as sharp squares, screen px per photo px.
 SHARP_FROM = 4.0
@@ -37,6 +47,37 @@ class PhotoItem(QtGui.QGraphicsItem):
     def levels(self) -> tuple[QtGui.QImage, ...]:
         """What there is of the photo, the smallest first."""
         return tuple(self._levels)
+
+    def grey_around(self, place_px: Point, radius_px: float, zoom: float) -> Patch | None:
+        """The photo about a place in grey levels, with one px for each of the screen, or coarser.
+
+        Parameters
+        ----------
+        place_px : (u, v)
+        radius_px : float
+            Half of its side.
+        zoom : float
+            Screen px per photo px.
+        """
+        if not self._levels:
+            return None
+        (u, v), side = place_px, 2 * radius_px
+        level = self.level_for(zoom)
+        across = level.width() / self._area.width()
+        area = _scaled(QtCore.QRectF(u - radius_px, v - radius_px, side, side), across, across)
+        source = area.toAlignedRect().intersected(level.rect())
+        if source.isEmpty():
+            return None
+        part = level.copy(source)
+        shrunk = min(1.0, zoom / across)
+        if shrunk < 1.0:
+            size = QtCore.QSize(*(max(1, round(shrunk * n)) for n in (part.width(), part.height())))
+            part = part.scaled(size, _Qt.IgnoreAspectRatio, _Qt.SmoothTransformation)
+        part = part.convertToFormat(QtGui.QImage.Format_Grayscale8)
+        rows = np.frombuffer(part.constBits(), dtype=np.uint8).reshape(-1, part.bytesPerLine())
+        grey = rows[:, : part.width()].astype(float)
+        size_px = source.width() / part.width() / across
+        return Patch(grey, (source.x() / across, source.y() / across), size_px)
 
     def boundingRect(self) -> QtCore.QRectF:  # noqa: N802  Qt's name
         """The photo's area in the scene."""

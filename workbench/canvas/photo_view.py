@@ -10,15 +10,24 @@ screen position
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from . import style
 from .photo_item import PhotoItem
 from .qt import QtCore, QtGui, position_of
+
+if TYPE_CHECKING:
+    from .photo_edges import Patch
+    from .plane import Point
 
 _Qt = QtCore.Qt
 
 ZOOM_STEP = 1.2
 ZOOM_RANGE = (0.02, 60.0)
 FIT_MARGIN = 0.02
+#: Edges of the photo are looked for in a window of so many times the reach, at least so large.
+WINDOW_REACHES = 2.5
+LEAST_WINDOW_PX = 16.0
 
 
 class PhotoView(QtGui.QGraphicsView):
@@ -54,6 +63,12 @@ class PhotoView(QtGui.QGraphicsView):
     def add_photo_level(self, image: QtGui.QImage) -> None:
         """Show the photo in more detail, as it comes."""
         self._photo.add_level(image, self._size)
+
+    def grey_around(self, place_px: Point, reach_px: float) -> Patch | None:
+        """The photo about a place, in which its edges are looked for."""
+        # Zoomed in, a few px of the photo fill the reach: too few to tell a line.
+        radius_px = max(WINDOW_REACHES * reach_px, LEAST_WINDOW_PX)
+        return self._photo.grey_around(place_px, radius_px, self.zoom)
 
     @property
     def has_photo(self) -> bool:

@@ -141,12 +141,16 @@ def _snap(painter: QtGui.QPainter, snap: Snap, work: Work) -> None:
     r = style.SNAP_PX
     ring = symbols.ellipse(((x - r, y), (x + r, y)), ((x, y - r), (x, y + r)))
     cross = [((x - r, y - r), (x + r, y + r)), ((x - r, y + r), (x + r, y - r))]
+    plus = [((x - r, y), (x + r, y)), ((x, y - r), (x, y + r))]
     marks = {
         SnapKind.VERTEX: [ring],
         SnapKind.AXIS_END: [symbols.diamond((x, y), r)],
         SnapKind.MIDPOINT: [((x - r, y + r), (x, y - r), (x + r, y + r), (x - r, y + r))],
         SnapKind.EDGE: cross,
         SnapKind.CROSSING: [ring, *cross],
+        SnapKind.GRID: plus,
+        SnapKind.PHOTO_EDGE: cross,
+        SnapKind.PHOTO_CORNER: [ring, *plus],
     }
     if snap.guide is not None:
         fine(painter, [tuple(map(work.on_screen, snap.guide))], style.GUIDE)

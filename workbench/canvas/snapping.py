@@ -52,6 +52,9 @@ class SnapKind(Enum):
     CROSSING = "crossing"
     PARALLEL = "parallel"
     VANISHING = "perspective"
+    GRID = "grid"
+    PHOTO_EDGE = "photo edge"
+    PHOTO_CORNER = "photo corner"
 
 
 @dataclass(frozen=True, slots=True)

@@ -35,6 +35,9 @@ LIFTED = "#39b6a8"
 """Of the lifted shape's faces, where they lie in the photo."""
 LIFTED_LINE = "#0b7a6e"
 
+GRID = "#ffffff"
+GRID_CASING = "#1b3a57"
+
 EDGE_PX = 2.0
 LIFTED_PX = 1.4
 GHOST_PX = 20.0
@@ -76,6 +79,8 @@ CASING_ALPHA = 225
 BOX_ALPHA = 40
 AREA_ALPHA = 80
 LIFTED_ALPHA = 22
+GRID_ALPHA = 105
+GRID_STRONG_ALPHA = 210
 CONFLICT_ALPHA = 190
 PALE_ALPHA = 60
 LEFT_OUT_ALPHA = 130

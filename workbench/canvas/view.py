@@ -9,9 +9,11 @@ from . import keys, overlay, previews, style, symbols, turning
 from .drawing import Drawing, Listener
 from .evident import taken
 from .ghosts import Ghosts
+from .grid_painting import paint_grid, paint_note
 from .length_editor import LengthEditor
 from .lift_painting import paint_lift
 from .lifted import LiftedView
+from .marks import length_text
 from .numbers import Numbers
 from .photo_giving import photo_in
 from .photo_view import PhotoView
@@ -25,6 +27,7 @@ from .tools.base import Pointer
 if TYPE_CHECKING:
     from ...solver.annotations import Annotation
     from ...solver.graph import Point, SketchGraph
+    from .attraction import Attraction
     from .solved import Solved
 
 _Qt = QtCore.Qt
@@ -50,6 +53,8 @@ class SketchView(PhotoView):
         Another SketchGraph is shown, many a second in the middle of a drag.
     selection_changed(object)
         Something else is selected: a Selection.
+    helpers_changed()
+        Something that helps the hand was switched on or off.
     photo_given(object)
         A photo was dropped or pasted: its Path, or a QImage.
     """
@@ -61,6 +66,7 @@ class SketchView(PhotoView):
     hint_changed = QtCore.Signal(str)
     graph_shown = QtCore.Signal(object)
     selection_changed = QtCore.Signal(object)
+    helpers_changed = QtCore.Signal()
     photo_given = QtCore.Signal(object)
 
     def __init__(
@@ -83,6 +89,7 @@ class SketchView(PhotoView):
         self._told: tuple[SketchGraph, Selection] = (graph, Selection())
         listener = Listener(self.graph_edited.emit, self._refresh, self._ask)
         self._drawing = Drawing(graph, listener)
+        self._drawing.attraction.patch = self.grey_around
         self._editor = LengthEditor(self.viewport(), self._drawing.answer)
         self.setAcceptDrops(True)
         self._refresh()
@@ -175,7 +182,26 @@ class SketchView(PhotoView):
     def toggle_numbers(self) -> None:
         """Show how many parameters each vertex has, or no longer."""
         self.numbers.toggle()
+        self.helpers_changed.emit()
         self.viewport().update()
+
+    def toggle_grid(self) -> None:
+        """Show the grid on the ground, and have the pen stick to it, or no longer."""
+        attraction = self._drawing.attraction
+        attraction.grid_shown = not attraction.grid_shown
+        self.helpers_changed.emit()
+        self.viewport().update()
+
+    def toggle_photo_edges(self) -> None:
+        """Have the photo's straight edges attract the pen, or no longer."""
+        attraction = self._drawing.attraction
+        attraction.photo_edges = not attraction.photo_edges
+        self.helpers_changed.emit()
+
+    @property
+    def attraction(self) -> Attraction:
+        """What attracts the pen besides the drawing."""
+        return self._drawing.attraction
 
     @property
     def tool_name(self) -> str:
@@ -216,6 +242,7 @@ class SketchView(PhotoView):
         }
         painter.save()
         painter.resetTransform()
+        self._paint_grid(painter, on_screen)
         paint_lift(painter, self._lifted, on_screen)
         rings = tuple(tuple(map(on_screen, line)) for line in turning.rings_of(graph))
         numbers, findings = self.numbers.of(graph), self._findings
@@ -230,6 +257,17 @@ class SketchView(PhotoView):
         if not graph.vertices and not graph.circles and not work.preview.strokes:
             previews.paint_invitation(painter, self.viewport().rect(), self.invitation)
         painter.restore()
+
+    def _paint_grid(self, painter: QtGui.QPainter, on_screen: Callable[[Point], Point]) -> None:
+        grid = self._drawing.grid
+        if grid is not None:
+            paint_grid(painter, grid, on_screen)
+        if self._drawing.attraction.grid_shown:
+            words = self.in_words(
+                "Grid: {}" if grid else "The grid shows once the sketch is solved"
+            )
+            size = length_text(grid.spacing_mm) if grid else ""
+            paint_note(painter, self.viewport().rect(), words.format(size))
 
     def _on_screen(self, point_px: Point) -> Point:
         return self._way_to_screen()(point_px)
@@ -323,6 +361,8 @@ class SketchView(PhotoView):
             "suggestions": self.take_suggestions,
             "construction": self.toggle_construction,
             "numbers": self.toggle_numbers,
+            "grid": self.toggle_grid,
+            "photo_edges": self.toggle_photo_edges,
         }.get(meaning)
         if action is None:
             super().keyPressEvent(event)

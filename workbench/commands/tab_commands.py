@@ -65,7 +65,25 @@ class Construction(TabCommand):
         view.toggle_construction()
 
 
-class Numbers(TabCommand):
+class Switch(TabCommand):
+    """Switches something on and off; its button is down while it is on."""
+
+    def GetResources(self) -> dict[str, str | bool]:  # noqa: N802  FreeCAD's names
+        """See `Command`."""
+        return {**super().GetResources(), "Checkable": False}
+
+    def run(self) -> None:
+        """See the class."""
+        from ..panels.tool_buttons import show_active_tool
+
+        try:
+            super().run()
+        finally:
+            # The press has turned the button over, whatever came of it.
+            show_active_tool()
+
+
+class Numbers(Switch):
     """Show how many parameters each vertex has."""
 
     NAME = "InContext_Numbers"
@@ -82,4 +100,35 @@ class Numbers(TabCommand):
         view.toggle_numbers()
 
 
-TAB_COMMANDS: tuple[type[TabCommand], ...] = (Construction, Numbers)
+class Grid(Switch):
+    """Show a grid on the ground."""
+
+    NAME = "InContext_Grid"
+    ICON = "InContext_Grid"
+    KEY = "K"
+    MENU_TEXT = "Ground grid"
+    TOOLTIP = (
+        "Show a grid on the ground in the photo's perspective, once that is known; the pen sticks "
+        "to its lines and crossings"
+    )
+
+    def act(self, view: SketchView) -> None:
+        """See `TabCommand`."""
+        view.toggle_grid()
+
+
+class PhotoEdges(Switch):
+    """Have the photo's edges attract the pen."""
+
+    NAME = "InContext_PhotoEdges"
+    ICON = "InContext_PhotoEdges"
+    KEY = "I"
+    MENU_TEXT = "Stick to the photo's edges"
+    TOOLTIP = "Have the pen stick to straight edges and corners that are seen in the photo"
+
+    def act(self, view: SketchView) -> None:
+        """See `TabCommand`."""
+        view.toggle_photo_edges()
+
+
+TAB_COMMANDS: tuple[type[TabCommand], ...] = (Construction, Numbers, Grid, PhotoEdges)

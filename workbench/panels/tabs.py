@@ -89,6 +89,7 @@ def _keep_buttons_right(controller: SketchController) -> None:
     from .tool_buttons import show_active_tool
 
     controller.tab.view.tool_changed.connect(show_active_tool)
+    controller.tab.view.helpers_changed.connect(show_active_tool)
     if not _OBSERVER.started:
         mdi_area().subWindowActivated.connect(show_active_tool)
 

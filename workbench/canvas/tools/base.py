@@ -108,7 +108,8 @@ class Tool:
         solved = self.drawing.solved
         meet = always if pointer.adding else never if solved is None else solved.meet
         place, reach = pointer.point_px, pointer.reach_px
-        return snap(self.drawing.committed, place, reach, lead=lead, meet=meet)
+        found = snap(self.drawing.committed, place, reach, lead=lead, meet=meet)
+        return self.drawing.attracted(found, reach)
 
 
 class TwoPointTool(Tool):

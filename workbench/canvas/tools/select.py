@@ -42,6 +42,7 @@ class SelectTool(Tool):
         self._under: Selection = Selection()
         self._box: tuple[Point, Point] | None = None
         self._target: Snap | None = None
+        self._led: Snap | None = None
         self._is_drag = False
         self._grip: AxisEnd | None = None
         self._was_chosen = False
@@ -68,7 +69,9 @@ class SelectTool(Tool):
             graph.circles
         )
         grips = [p for c in sorted(circles) for p in (*graph.circles[c].a, *graph.circles[c].b)]
-        return Preview(lit=self._lit, box=self._box, snap=self._target, grips=tuple(grips))
+        return Preview(
+            lit=self._lit, box=self._box, snap=self._target or self._led, grips=tuple(grips)
+        )
 
     def press(self, pointer: Pointer) -> None:
         """See `Tool`."""
@@ -156,7 +159,7 @@ class SelectTool(Tool):
         self._lit = Selection()
 
     def _forget(self) -> None:
-        self._pressed_at = self._box = self._target = None
+        self._pressed_at = self._box = self._target = self._led = None
         self._is_drag = False
         self._grip = None
 
@@ -204,6 +207,21 @@ class SelectTool(Tool):
         dv = pointer.point_px[1] - self._pressed_at[1]
         self.drawing.show(self.drawing.moved((du, dv)))
         self._target = None if pointer.is_free else self._merging(pointer)
+        self._led = None
+        if self._target is None and not pointer.is_free:
+            self._attract(pointer)
+
+    def _attract(self, pointer: Pointer) -> None:
+        """Have a single vertex stick to what attracts the pen."""
+        if len(self._moved) != 1 or not self._under.vertices or self.drawing.selection.circles:
+            return
+        (vertex,) = self._moved
+        place = self.drawing.graph.vertices[vertex]
+        at = self.drawing.attracted(Snap(SnapKind.FREE, place), pointer.reach_px)
+        if at.kind is not SnapKind.FREE:
+            self._led = at
+            before = self.drawing.committed
+            self.drawing.show(rounds.move(before, {vertex: at.point_px}, {}))
 
     def _pull(self, pointer: Pointer, grip: AxisEnd) -> None:
         """Pull an axis end: to a vertex, along its axis, or else anywhere."""

@@ -208,7 +208,9 @@ def _no_ground(graph: SketchGraph) -> Iterator[Finding]:
 
 
 def _no_length(graph: SketchGraph) -> Iterator[Finding]:
-    if graph.edges and not (_kinds(graph.annotations) & {Length, Diameter}):
+    # The height of a known camera over the ground tells the size as well.
+    by_camera = graph.camera is not None and len(topology_of(graph).ground)
+    if graph.edges and not by_camera and not (_kinds(graph.annotations) & {Length, Diameter}):
         yield _warning("no length is given, so the longest edge will be 100 mm; try: give one")
 
 

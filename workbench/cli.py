@@ -1,4 +1,4 @@
-"""The command line: solve, make, check, bench.
+"""The command line: solve, make, check, marker, camera, bench.
 
 Exit status: 0 all went well; 2 bad input (one line on stderr says what, where, what to try); 3 the
 solve ended badly (the solution file is still written); 1 a fault of the program itself.
@@ -72,6 +72,8 @@ def _complain(text: str) -> None:
 
 
 def _parser() -> argparse.ArgumentParser:
+    from .camera_commands import add_camera, add_marker
+
     parser = _Parser(
         prog="incontext",
         description="Draw a new object over one photo, get its precise 3D shape and parts.",
@@ -83,6 +85,8 @@ def _parser() -> argparse.ArgumentParser:
     _add_solve(commands)
     _add_make(commands)
     _add_check(commands)
+    add_marker(commands)
+    add_camera(commands)
     _add_bench(commands)
     return parser
 

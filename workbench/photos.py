@@ -10,6 +10,8 @@ from ..solver.graph import SketchGraph
 if TYPE_CHECKING:
     from PIL import Image
 
+    from ..solver.values import Array
+
 
 def photo_path(graph: SketchGraph, sketch: Path) -> tuple[Path | None, str]:
     """Where the photo of a sketch lies.
@@ -59,19 +61,38 @@ def load_photo(graph: SketchGraph, sketch: Path) -> tuple[Image.Image | None, st
     problem : str
         In one line; empty where all is well. The photo may be there none the less.
     """
+    path, problem = photo_path(graph, sketch)
+    if path is None or graph.photo is None:
+        return None, problem
+    photo, problem = read_upright(path)
+    if photo is None:
+        return None, problem
+    told = (graph.photo.width_px, graph.photo.height_px)
+    if photo.size != told:
+        size = f"{photo.size[0]} x {photo.size[1]}"
+        return photo, f"the photo is {size} px, the sketch says {told[0]} x {told[1]}"
+    return photo, ""
+
+
+def read_upright(path: Path) -> tuple[Image.Image | None, str]:
+    """A photo file, upright.
+
+    Returns
+    -------
+    photo : PIL.Image.Image or None
+    problem : str
+        Why there is none, in one line.
+    """
     import warnings
 
     from PIL import Image, ImageOps
 
-    path, problem = photo_path(graph, sketch)
-    if path is None or graph.photo is None:
-        return None, problem
     try:
         with warnings.catch_warnings():
             # A photo large enough to be an attack is refused, not warned of.
             warnings.simplefilter("error", Image.DecompressionBombWarning)
             with Image.open(path) as file:
-                photo = ImageOps.exif_transpose(file).convert("RGB")
+                return ImageOps.exif_transpose(file).convert("RGB"), ""
     except (
         OSError,
         ValueError,
@@ -81,8 +102,10 @@ def load_photo(graph: SketchGraph, sketch: Path) -> tuple[Image.Image | None, st
     ) as error:
         reason = "it is no picture" if "cannot identify" in str(error) else str(error)
         return None, f"the photo {path.name!r} cannot be read: {reason}"
-    told = (graph.photo.width_px, graph.photo.height_px)
-    if photo.size != told:
-        size = f"{photo.size[0]} x {photo.size[1]}"
-        return photo, f"the photo is {size} px, the sketch says {told[0]} x {told[1]}"
-    return photo, ""
+
+
+def grey_of(photo: Image.Image) -> Array:
+    """A photo's brightness, (height, width), 0 to 255."""
+    import numpy as np
+
+    return np.asarray(photo.convert("L"), dtype=np.float64)

@@ -66,7 +66,7 @@ def pdf_bytes(
         drawing = draw([sheet], preset)
         places = [_whole(drawing)] if page is None else _tiles(drawing, PAGES_MM[page], number)
         pages += [(place, _content(place, drawing, preset)) for place in places]
-    return _file(pages)
+    return pdf_file([(place.size_mm, content) for place, content in pages])
 
 
 def _whole(drawing: Drawing) -> _Page:
@@ -147,19 +147,29 @@ def _number(value: float) -> str:
     return "0" if text == "-0" else text
 
 
-def _file(pages: Sequence[tuple[_Page, bytes]]) -> bytes:
+def pdf_file(
+    pages: Sequence[tuple[tuple[float, float], bytes]], resources: bytes = b"<< >>"
+) -> bytes:
+    """A PDF file of pages.
+
+    Parameters
+    ----------
+    pages : sequence of (size, content)
+        Width and height, mm; drawing operators, in points.
+    resources : bytes
+        What the operators refer to: fonts, say.
+    """
     kids = " ".join(f"{3 + 2 * n} 0 R" for n in range(len(pages)))
     objects = [
         b"<< /Type /Catalog /Pages 2 0 R /ViewerPreferences << /PrintScaling /None >> >>",
         f"<< /Type /Pages /Kids [{kids}] /Count {len(pages)} >>".encode(),
     ]
-    for n, (page, content) in enumerate(pages):
-        width, height = (
-            _number(math.ceil(size * POINTS_PER_MM * 1000) / 1000) for size in page.size_mm
-        )
+    for n, (size, content) in enumerate(pages):
+        width, height = (_number(math.ceil(side * POINTS_PER_MM * 1000) / 1000) for side in size)
         objects.append(
-            f"<< /Type /Page /Parent 2 0 R /MediaBox [0 0 {width} {height}] /Resources << >> "
-            f"/Contents {4 + 2 * n} 0 R >>".encode()
+            f"<< /Type /Page /Parent 2 0 R /MediaBox [0 0 {width} {height}] /Resources ".encode()
+            + resources
+            + f" /Contents {4 + 2 * n} 0 R >>".encode()
         )
         packed = zlib.compress(content, 9)
         head = f"<< /Length {len(packed)} /Filter /FlateDecode >>\nstream\n".encode()

@@ -1,0 +1,94 @@
+"""The camera out of photos: the marker found by itself, rectangles by four rough corners."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from rectangles import PHOTO, SMALL, camera_at, corners_mm, seen
+
+from incontext.solver import SketchError
+from incontext.workbench import marker_finding
+from incontext.workbench.marker_finding import camera_of_photo, marker_corners
+
+SQUARE = (100.0, 100.0)
+
+
+@pytest.mark.parametrize("seed", range(2))
+def test_the_marker_is_found_by_itself_and_gives_the_camera(seed):
+    pytest.importorskip("cv2")
+    rng = np.random.default_rng(seed)
+    focal = rng.uniform(700, 1000)
+    camera = camera_at(
+        rng.uniform(25, 60),
+        rng.uniform(-180, 180),
+        rng.uniform(0.5, 0.8) * focal,
+        focal,
+        photo=SMALL,
+    )
+    found = camera_of_photo(SMALL, seen(camera, SMALL, rng), SQUARE)
+    true = camera.project(corners_mm(SQUARE))
+    ways = [np.abs(np.roll(found.view.corners_px, k, axis=0) - true).max() for k in range(4)]
+    assert min(ways) < 0.2
+    assert len(found.sides) == 4
+    assert found.view.size_sigma < 0.02
+    height = found.view.camera.position_mm[2] / camera.position_mm[2]
+    assert height == pytest.approx(1, abs=0.02)
+    assert found.view.camera.focal_px == pytest.approx(focal, rel=4 * found.view.focal_sigma)
+
+
+def test_rough_clicks_on_a_sheet_of_paper_do_as_well():
+    rng = np.random.default_rng(8)
+    camera = camera_at(40, -70, 700, 900, photo=SMALL)
+    size = (160.0, 180.0)
+    clicks = camera.project(corners_mm(size)) + rng.uniform(-3, 3, (4, 2))
+    found = camera_of_photo(SMALL, seen(camera, SMALL, rng, paper_mm=size), size, clicks)
+    assert len(found.sides) == 4
+    assert not found.notes
+    assert set(found.view.size_mm) == set(size)
+    assert found.view.camera.position_mm[2] == pytest.approx(camera.position_mm[2], rel=0.02)
+    as_told = camera_of_photo(SMALL, None, size, clicks)
+    assert not as_told.sides
+    assert as_told.view.size_sigma > 2 * found.view.size_sigma
+
+
+def test_corners_are_taken_as_they_are_where_no_edges_are_seen():
+    rng = np.random.default_rng(8)
+    camera = camera_at(40, -70, 500, 900, photo=SMALL)
+    corners = camera.project(corners_mm(SQUARE))
+    blank = np.full((600, 800), 128.0)
+    found = camera_of_photo(SMALL, blank, SQUARE, corners)
+    assert found.notes == (marker_finding.NOT_SEEN,)
+    np.testing.assert_allclose(np.sort(found.view.corners_px, 0), np.sort(corners, 0))
+    exactly = camera_of_photo(SMALL, seen(camera, SMALL, rng), SQUARE, corners + 2, exactly=True)
+    assert not exactly.sides
+    assert not exactly.notes
+
+
+def test_a_photo_without_marker_says_so():
+    pytest.importorskip("cv2")
+    with pytest.raises(SketchError, match="no marker is seen"):
+        marker_corners(np.full((300, 400), 200.0))
+    with pytest.raises(SketchError, match="without the photo"):
+        camera_of_photo(PHOTO, None, SQUARE)
+
+
+def test_two_markers_are_one_too_many():
+    pytest.importorskip("cv2")
+    camera = camera_at(60, -90, 600, 900, photo=SMALL)
+    one = seen(camera, SMALL, np.random.default_rng(1))
+    with pytest.raises(SketchError, match="2 markers"):
+        marker_corners(np.hstack([one, one]))
+
+
+def test_exif_is_used_where_it_is_there():
+    rng = np.random.default_rng(4)
+    camera = camera_at(85, -90, 700, 900, photo=SMALL)
+    grey = seen(camera, SMALL, rng)
+    corners = camera.project(corners_mm(SQUARE))
+    alone = camera_of_photo(SMALL, grey, SQUARE, corners)
+    told = camera_of_photo(replace(SMALL, focal_px=905.0), grey, SQUARE, corners)
+    assert alone.view.focal_from == "usual"
+    assert told.view.focal_from == "photo"
+    assert told.view.focal_sigma < 0.2 * alone.view.focal_sigma

@@ -1,0 +1,127 @@
+"""The camera of a photo from a rectangle in it: the printed marker, or four corners that are told.
+
+OpenCV finds the marker; it is optional, and corners that are told do without it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..solver.errors import SketchError
+from ..solver.marker import RectangleView, camera_from_rectangle, ring_of
+from ..solver.problem import TRACED_SIGMA_PX
+from .photo_lines import FoundLine, refined_corners
+
+if TYPE_CHECKING:
+    from ..solver.graph import Photo, Point
+    from ..solver.values import Array
+
+#: How near corners that were clicked are to the true ones, in parts of the photo's longer side.
+CLICK_REACH = 0.012
+#: Standard error of corners that are clicked and not refined, in parts of the longer side.
+CLICK_SIGMA = 0.001
+#: Of refined ones, px: what paper that is not quite flat, and lenses, make of it.
+LEAST_SIGMA_PX = 0.1
+NOT_SEEN = (
+    "No straight edges are seen between the corners, which are taken as they are: place them well."
+)
+#: How near those are that OpenCV finds, px.
+_FOUND_REACH_PX = 4.0
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """A camera, and the straight edges in the photo that led to it (none where none was seen)."""
+
+    view: RectangleView
+    sides: tuple[FoundLine, ...] = ()
+    #: What a person should know of how the corners were found, a sentence each.
+    notes: tuple[str, ...] = ()
+
+
+def marker_corners(grey: Array) -> Array:
+    """Where the printed marker is in a photo.
+
+    Parameters
+    ----------
+    grey : (height, width) array
+        Brightness, 0 to 255.
+
+    Returns
+    -------
+    (4, 2) array
+        The black square's corners, photo px.
+
+    Raises
+    ------
+    SketchError
+        Where there is none, or more than one.
+    ModuleNotFoundError
+        Where OpenCV is not installed.
+    """
+    import cv2
+
+    dictionary = cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_50)
+    picture = np.clip(np.rint(grey), 0, 255).astype(np.uint8)
+    corners, names, _ = cv2.aruco.ArucoDetector(dictionary).detectMarkers(picture)
+    numbers = [] if names is None else names.ravel().tolist()
+    own = [c for c, number in zip(corners, numbers, strict=True) if number == 0]
+    if not own:
+        raise SketchError(
+            "no marker is seen in the photo", (), "a photo with all of it, or click its corners"
+        )
+    if len(own) > 1:
+        raise SketchError(f"{len(own)} markers are seen", (), "one only, or click its corners")
+    # OpenCV counts from the middle of the first pixel.
+    return np.asarray(own[0], dtype=float).reshape(4, 2) + 0.5
+
+
+def camera_of_photo(
+    photo: Photo,
+    grey: Array | None,
+    size_mm: tuple[float, float],
+    corners_px: Sequence[Point] | None = None,
+    *,
+    exactly: bool = False,
+) -> Found:
+    """The camera from a rectangle in the photo, its corners found to a fraction of a pixel.
+
+    Parameters
+    ----------
+    photo : Photo
+    grey : (height, width) array or None
+        The upright photo's brightness; None where its file is missing: then the corners are
+        taken as they are told.
+    size_mm : (float, float)
+    corners_px : four (u, v), optional
+        In any order; without them the printed marker is looked for.
+    exactly : bool
+        Take the corners as they are told.
+
+    Raises
+    ------
+    SketchError
+        As `marker_corners` and `camera_from_rectangle`.
+    ModuleNotFoundError
+        Where the marker is to be looked for, and OpenCV is not installed.
+    """
+    if corners_px is None:
+        if grey is None:
+            raise SketchError("without the photo no marker can be found", (), "tell the corners")
+        near, reach_px = marker_corners(grey), _FOUND_REACH_PX
+    else:
+        near = np.asarray(corners_px, dtype=float)
+        reach_px = CLICK_REACH * max(photo.width_px, photo.height_px)
+    ring = ring_of(near)
+    seen = None if exactly or grey is None else refined_corners(grey, ring, reach_px)
+    if seen is None:
+        sigma_px = max(TRACED_SIGMA_PX, CLICK_SIGMA * max(photo.width_px, photo.height_px))
+        view = camera_from_rectangle(photo, ring, size_mm, corner_sigma_px=sigma_px)
+        return Found(view, (), () if exactly or grey is None else (NOT_SEEN,))
+    sigma_px = max(LEAST_SIGMA_PX, seen.sigma_px)
+    view = camera_from_rectangle(photo, seen.corners_px, size_mm, corner_sigma_px=sigma_px)
+    return Found(view, seen.sides)

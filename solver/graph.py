@@ -138,6 +138,18 @@ class SketchGraph:
         said.update(places.tobytes())
         return said.hexdigest()
 
+    @property
+    def traced_revolutions(self) -> dict[str, Revolution]:
+        """The surfaces of revolution both of whose ends are construction: there already."""
+        traced = set(self.construction)
+        return {id_: r for id_, r in self.revolutions.items() if {r.bottom, r.top} <= traced}
+
+    @property
+    def made_revolutions(self) -> dict[str, Revolution]:
+        """The other surfaces of revolution, which are part of the new object."""
+        traced = self.traced_revolutions
+        return {id_: r for id_, r in self.revolutions.items() if id_ not in traced}
+
     def annotations_of(self, kind: str) -> dict[str, Annotation]:
         """The annotations of one kind, by id."""
         return {id_: a for id_, a in self.annotations.items() if a.kind == kind}

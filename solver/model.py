@@ -105,7 +105,7 @@ def build_model(
     for id_, r in (revolutions or {}).items():
         _check_belongs(id_, r, solution)
     faces = {id_: _model_face(face, solution, thickness_mm) for id_, face in solution.faces.items()}
-    turned = {id_: _turned(r, solution) for id_, r in (revolutions or {}).items()}
+    turned = {id_: turned_profile(r, solution) for id_, r in (revolutions or {}).items()}
     if not turned and not any(face.included for face in faces.values()):
         raise SketchError(
             "no face to make anything of",
@@ -123,8 +123,8 @@ def _check_belongs(id_: str, revolution: Revolution, solution: Solution) -> None
         raise SketchError(f"revolution {id_} is not solved", missing[:5], "solve the sketch again")
 
 
-def _turned(revolution: Revolution, solution: Solution) -> Turned:
-    """The profile joins the bottom and the top circle: its ends lie on them."""
+def turned_profile(revolution: Revolution, solution: Solution) -> Turned:
+    """The surface of a solved revolution: its profile's ends lie on the bottom and top circle."""
     bottom, top = (solution.circles[c] for c in (revolution.bottom, revolution.top))
     axis = bottom.center_mm[:2]
     between = np.array([solution.vertices_mm[v] for v in revolution.profile[1:-1]]).reshape(-1, 3)

@@ -1,7 +1,8 @@
-"""The command line: solve, make, check, marker, camera, bench.
+"""The command line: solve, make, check, fit, marker, camera, bench.
 
 Exit status: 0 all went well; 2 bad input (one line on stderr says what, where, what to try); 3 the
-solve ended badly (the solution file is still written); 1 a fault of the program itself.
+solve ended badly (the solution file is still written); 4 it does not fit or not stand; 1 a fault
+of the program itself.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
 
 # Nothing else is imported before it is needed: --help must not wait for a CAD kernel.
 
-OK, FAULT, BAD_INPUT, BAD_SOLVE = 0, 1, 2, 3
+OK, FAULT, BAD_INPUT, BAD_SOLVE, BAD_FIT = 0, 1, 2, 3, 4
 ENDING = ".sketch.json"
 #: Drawings of each family of shapes in each case of the study: a few minutes.
 STUDY_RUNS = 20
@@ -77,7 +78,8 @@ def _parser() -> argparse.ArgumentParser:
     parser = _Parser(
         prog="incontext",
         description="Draw a new object over one photo, get its precise 3D shape and parts.",
-        epilog="Exit status: 0 done; 2 bad input; 3 the solve ended badly. Lengths are in mm.",
+        epilog="Exit status: 0 done; 2 bad input; 3 the solve ended badly; 4 it does "
+        "not fit or not stand. Lengths are in mm.",
     )
     commands = parser.add_subparsers(
         metavar="COMMAND", required=True, title="commands", parser_class=_Parser
@@ -85,6 +87,7 @@ def _parser() -> argparse.ArgumentParser:
     _add_solve(commands)
     _add_make(commands)
     _add_check(commands)
+    _add_fit(commands)
     add_marker(commands)
     add_camera(commands)
     _add_bench(commands)
@@ -132,6 +135,21 @@ def _add_check(commands: Any) -> None:
         "Say what is wrong or missing in a sketch. One line each; exit status 2 where a solve "
         "cannot succeed.",
     )
+
+
+def _add_fit(commands: Any) -> None:
+    from .make_options import add_settings
+
+    command = _add_command(
+        commands,
+        "fit",
+        _fit,
+        "Say whether the new object fits and stands. What is traced on the photo as construction "
+        "is there already: clearance, overlap and missing mm to each such thing; centre of mass "
+        "and tipping angle; loose and thin parts. The options are those of make; nothing is "
+        "written. Exit status 4 where it does not fit or not stand.",
+    )
+    add_settings(command)
 
 
 def _add_bench(commands: Any) -> None:
@@ -203,6 +221,25 @@ def _check(arguments: argparse.Namespace) -> int:
     for severity, text in found:
         print(" ".join(f"{severity}: {text}".split()))
     return BAD_INPUT if any(severity == "error" for severity, _ in found) else OK
+
+
+def _fit(arguments: argparse.Namespace) -> int:
+    from ..solver import solve
+    from ..solver.solution import Status
+    from .checked import checks
+    from .make_options import order_of
+
+    order = order_of(arguments, name_of(arguments.sketch))
+    graph = _load(arguments.sketch)
+    solution = solve(graph)
+    if solution.status is not Status.CONVERGED:
+        return _verdict(solution)
+    found = checks(graph, solution, order)
+    for check in found:
+        for line in check.lines:
+            print(line)
+    _verdict(solution)
+    return OK if all(check.good for check in found) else BAD_FIT
 
 
 def _solve(arguments: argparse.Namespace) -> int:

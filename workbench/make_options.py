@@ -12,21 +12,36 @@ if TYPE_CHECKING:
 
 def add_make_options(command: argparse.ArgumentParser) -> None:
     """Declare all options of ``make``."""
+    command.add_argument(
+        "--out", metavar="DIR", type=Path, required=True, help="folder for the files"
+    )
+    command.add_argument(
+        "--explain",
+        action="store_true",
+        help="say what each setting does in mm, each joint, how it fits and stands",
+    )
+    add_settings(command)
+
+
+def add_settings(command: argparse.ArgumentParser) -> None:
+    """Declare the options that say what is made and how."""
+    _add_kind(command)
+    _add_joints(command.add_argument_group("plates"))
+    _add_cutting(command.add_argument_group("cutting"))
+    _add_files(command.add_argument_group("more files"))
+    _add_printing(command.add_argument_group("printing"))
+
+
+def _add_kind(command: argparse.ArgumentParser) -> None:
     add = command.add_argument
-    add("--out", metavar="DIR", type=Path, required=True, help="folder for the files")
     add("--laser", action="store_true", help="finger-jointed plates (the default)")
     add("--print", action="store_true", dest="printed", help="a hollow solid")
-    add("--explain", action="store_true", help="say what each setting does in mm, and each joint")
     add(
         "--side",
         metavar="SIDE",
         default="inside",
         help="where the material lies: inside the drawn faces (default), outside, middle",
     )
-    _add_joints(command.add_argument_group("plates"))
-    _add_cutting(command.add_argument_group("cutting"))
-    _add_files(command.add_argument_group("more files"))
-    _add_printing(command.add_argument_group("printing"))
 
 
 def _add_joints(group: argparse._ArgumentGroup) -> None:

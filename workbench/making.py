@@ -11,6 +11,7 @@ import numpy as np
 from ..solver.graph import SketchGraph
 from ..solver.model import Model, build_model
 from ..solver.solution import Solution
+from .checked import plates_check, print_check
 from .fabrication.fits import effects
 from .fabrication.plates import Joined, Plate, joined_plates
 from .fabrication.settings import PlateSettings, ShellSettings, ShopSettings, bed_note
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from PIL import Image
 
     from .fabrication.assembly import Step
+    from .fabrication.meshes import Mesh
     from .fabrication.rendering import Scene
     from .fabrication.sheets import Sheet
 
@@ -78,9 +80,10 @@ class Made:
     ----------
     files : mapping of file name to bytes
     notes : tuple of str
-        Joints that are not what they usually are, a print larger than the bed.
+        Joints that are not what they usually are, a print larger than the bed, what it runs into.
     details : tuple of str
-        What each setting does in millimetres, all joints, the order of putting together.
+        What each setting does in millimetres, all joints, how it fits and stands, the order of
+        putting together.
     """
 
     files: Mapping[str, bytes]
@@ -109,9 +112,10 @@ def made(graph: SketchGraph, solution: Solution, photo: Image.Image | None, orde
         Where nothing can be made of it.
     """
     from .fabrication.picture import caption_of, picture_png
+    from .fabrication.rendering import mesh_scene
 
     thickness = order.plates.thickness_mm if order.plates else 3.0
-    model = build_model(solution, thickness, graph.revolutions)
+    model = build_model(solution, thickness, graph.made_revolutions)
     files: dict[str, bytes] = {}
     notes: list[str] = []
     details: list[str] = []
@@ -122,15 +126,21 @@ def made(graph: SketchGraph, solution: Solution, photo: Image.Image | None, orde
         notes += joined.notes
         notes += _locks(joined.plates, strict=order.extras.assembly)
         details += [*effects(order.plates), *(joint.words for joint in joined.joints)]
+        check = plates_check(joined, model, graph, solution)
+        notes += check.problems
+        details += check.lines
         if order.extras.assembly:
             files |= _assembly_files(joined.plates, order.name)
             details += [step.words for step in _steps(joined.plates)]
         shown = _plates_shown(joined.plates)
     if order.shell is not None:
         ending = "solid.step" if order.plates is not None else "step"
-        scene, note = _solid(model, order.shell, files, order.name, ending)
+        mesh, note = _solid(model, order.shell, files, order.name, ending)
         notes += [note] if note else []
-        shown = shown or ("Solid", scene)
+        check = print_check(mesh, model, graph, solution, order.shell.least_wall_mm)
+        notes += check.problems
+        details += check.lines
+        shown = shown or ("Solid", mesh_scene(mesh.vertices_mm, mesh.triangles))
     if shown is not None:
         what, scene = shown
         caption = caption_of(what, scene.triangles_mm)
@@ -237,10 +247,9 @@ def _plates_shown(plates: Sequence[Plate]) -> tuple[str, Scene]:
 
 def _solid(
     model: Model, settings: ShellSettings, files: dict[str, bytes], name: str, ending: str
-) -> tuple[Scene, str]:
-    """Add the files of the solid; how it looks, and what to say about it, are returned."""
+) -> tuple[Mesh, str]:
+    """Add the files of the solid; its mesh, and what to say about it, are returned."""
     from .fabrication.meshes import mesh_of, stl_bytes, threemf_bytes
-    from .fabrication.rendering import mesh_scene
     from .fabrication.shell import shell_solid
     from .fabrication.solids import shape_step_bytes
 
@@ -251,4 +260,4 @@ def _solid(
     files[f"{name}.{ending}"] = shape_step_bytes(solid, name)
     x, y, z = np.ptp(mesh.vertices_mm, axis=0).tolist()
     note = bed_note((x, y, z), settings.bed_mm)
-    return mesh_scene(mesh.vertices_mm, mesh.triangles), note
+    return mesh, note

@@ -95,7 +95,7 @@ def model_of(sketch_text: str, thickness_mm: float) -> Model:
     """The lifted faces with thickness; raises SketchError where there are none."""
     from ...solver.model import build_model
 
-    revolutions = graph_of(sketch_text).revolutions
+    revolutions = graph_of(sketch_text).made_revolutions
     return build_model(solution_of(sketch_text), thickness_mm, revolutions)
 
 

@@ -1,0 +1,218 @@
+"""Does it fit? The new object's parts against the existing things, in numbers.
+
+Terms
+-----
+overlap
+    What a part and a thing share; there both cannot be.
+missing
+    How far the thing reaches into the part, mm: for a plate the least way out of it, along its
+    normal or in its plane; for a print the width of the overlap, which is at least so much.
+clearance
+    The shortest distance between a thing and the object.
+room
+    For each way, how far the thing could move before it touches the object.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+import manifold3d
+import numpy as np
+import shapely
+from shapely.geometry import MultiPoint
+
+from ...solver.values import Array
+from .parts_in_space import Part, corners, in_words, whole
+from .plates import Plate
+from .things import Thing
+
+#: Nearer than this is touching, and less overlap is none, mm.
+TOUCH_MM = 0.05
+#: Further than this nobody is in the way, mm.
+FAR_MM = 1000.0
+_STEP_MM = 0.02
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Overlap:
+    """What a part and a thing share.
+
+    Parameters
+    ----------
+    part_id : str
+    volume_mm3 : float
+    missing_mm : float
+        See the module's terms.
+    body : Manifold
+        For the eye.
+    """
+
+    part_id: str
+    volume_mm3: float
+    missing_mm: float
+    body: manifold3d.Manifold
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Fit:
+    """How one thing fits.
+
+    Parameters
+    ----------
+    thing : Thing
+    overlaps : tuple of Overlap
+        The worst first; none where it fits.
+    clearance_mm : float or None
+        None where nothing is near, or it does not fit.
+    nearest : str
+        The part that is nearest.
+    room_mm : mapping of way to mm or None
+        None where the way is free. Empty where it does not fit.
+    """
+
+    thing: Thing
+    overlaps: tuple[Overlap, ...]
+    clearance_mm: float | None = None
+    nearest: str = ""
+    room_mm: Mapping[str, float | None] = field(default_factory=dict)
+
+    @property
+    def fits(self) -> bool:
+        """Whether it overlaps nothing."""
+        return not self.overlaps
+
+    @property
+    def words(self) -> str:
+        """One line about it."""
+        name, pixel = self.thing.name, self.thing.pixel_mm
+        exact = f"; one pixel of the photo is {pixel:.2f} mm there" if pixel else ""
+        if self.thing.kind == "mark":
+            return f"{name}: lies on the ground, nothing runs into it"
+        if self.overlaps:
+            said = ", ".join(f"{o.missing_mm:.1f} mm into {o.part_id}" for o in self.overlaps)
+            return f"{name}: does not fit, it reaches {said}{exact}"
+        near = "nothing near"
+        if self.clearance_mm is not None:
+            near = f"{self.clearance_mm:.1f} mm from {self.nearest}"
+            if self.clearance_mm < TOUCH_MM:
+                near = f"touches {self.nearest}"
+        room = f"; room: {in_words(self.room_mm)}" if self.room_mm else ""
+        return f"{name}: fits, {near}{room}{exact}"
+
+
+def fit_of(
+    parts: Sequence[Part], things: Iterable[Thing], ways: Mapping[str, Array]
+) -> tuple[Fit, ...]:
+    """How each thing fits.
+
+    Parameters
+    ----------
+    parts : sequence of Part
+    things : iterable of Thing
+    ways : mapping of name to unit vector
+        Along which room is looked for.
+
+    Returns
+    -------
+    tuple of Fit
+        In the things' order.
+    """
+    things = tuple(things)
+    every = whole(parts) if things else manifold3d.Manifold()
+    return tuple(_fit(parts, every, thing, ways) for thing in things)
+
+
+def _fit(
+    parts: Sequence[Part], every: manifold3d.Manifold, thing: Thing, ways: Mapping[str, Array]
+) -> Fit:
+    if thing.kind == "mark":
+        return Fit(thing, ())
+    found = [o for part in parts if (o := _overlap(part, thing)) is not None]
+    if found:
+        return Fit(thing, tuple(sorted(found, key=lambda o: -o.missing_mm)))
+    gaps = {part.id: _gap(part, thing) for part in parts}
+    nearest = min(gaps, key=lambda id_: gaps[id_])
+    if gaps[nearest] >= FAR_MM:
+        return Fit(thing, ())
+    room = {way: _room(every, thing, direction) for way, direction in ways.items()}
+    return Fit(thing, (), gaps[nearest], nearest, room)
+
+
+def _gap(part: Part, thing: Thing) -> float:
+    return float(min(part.body.min_gap(body, FAR_MM) for body in thing.bodies))
+
+
+def _overlap(part: Part, thing: Thing) -> Overlap | None:
+    shared = [part.body ^ body for body in thing.bodies]
+    body = manifold3d.Manifold.batch_boolean(shared, manifold3d.OpType.Add)
+    if body.is_empty() or body.volume() <= 0:
+        return None
+    if part.plate is not None:
+        missing = max(_into_plate(part.plate, one, body) for one in thing.bodies)
+    else:
+        missing = max(_width(corners([one])) for one in body.decompose())
+    return Overlap(part.id, body.volume(), missing, body) if missing > TOUCH_MM else None
+
+
+def _into_plate(plate: Plate, thing: manifold3d.Manifold, shared: manifold3d.Manifold) -> float:
+    """The least way of a thing out of a plate."""
+    plate_from_world = np.linalg.inv(plate.world_from_plate)[:3]
+    # Only what is above or below the plate counts, not what stands beside it.
+    far = FAR_MM + plate.thickness_mm
+    section = manifold3d.CrossSection([plate.outline], manifold3d.FillRule.EvenOdd)
+    column = manifold3d.Manifold.extrude(section, 2 * far).translate((0.0, 0.0, -far))
+    near = corners([thing.transform(plate_from_world) ^ column])
+    flat = corners([shared.transform(plate_from_world)])[:, :2]
+    if not len(near) or not len(flat):
+        return 0.0
+    out = min(plate.thickness_mm - near[:, 2].min(), near[:, 2].max())
+    rectangle = shapely.minimum_rotated_rectangle(MultiPoint(flat))
+    if rectangle.geom_type != "Polygon":
+        return 0.0
+    a, b, c = np.array(rectangle.exterior.coords)[:3]
+    return float(min(out, np.linalg.norm(b - a), np.linalg.norm(c - b)))
+
+
+def _width(points: Array) -> float:
+    """The least distance of two parallel planes that take in all points, one along a facet."""
+    hull = manifold3d.Manifold.hull_points(points)
+    if hull.is_empty():
+        return 0.0
+    mesh = hull.to_mesh64()
+    a, b, c = (mesh.vert_properties[:, :3][mesh.tri_verts[:, k]] for k in range(3))
+    normals = np.cross(b - a, c - a)
+    sizes = np.linalg.norm(normals, axis=1)
+    normals = normals[sizes > 1e-9] / sizes[sizes > 1e-9, None]
+    heights = np.unique(np.round(normals, 6), axis=0) @ mesh.vert_properties[:, :3].T
+    return float(np.ptp(heights, axis=1).min())
+
+
+def _room(every: manifold3d.Manifold, thing: Thing, way: Array) -> float | None:
+    """How far a thing can move along a way; None where nothing stops it."""
+    slim = [_slimmer(body) for body in thing.bodies]
+    if not _hit(every, slim, way * FAR_MM):
+        return None
+    free, hit = 0.0, FAR_MM
+    while hit - free > _STEP_MM:
+        middle = (free + hit) / 2
+        if _hit(every, slim, way * middle):
+            hit = middle
+        else:
+            free = middle
+    return free
+
+
+def _slimmer(body: manifold3d.Manifold) -> Array:
+    """The corners of a body, a little nearer to its middle: what only touches is free to move."""
+    points = corners([body])
+    middle = (points.min(axis=0) + points.max(axis=0)) / 2
+    half = max(float(np.ptp(points, axis=0).max()) / 2, TOUCH_MM)
+    return np.asarray(middle + (points - middle) * (1 - TOUCH_MM / 2 / half))
+
+
+def _hit(every: manifold3d.Manifold, slim: Iterable[Array], move: Array) -> bool:
+    """Whether the hull of something, swept along a move, runs into the object."""
+    swept = (manifold3d.Manifold.hull_points(np.vstack([p, p + move])) for p in slim)
+    return any((every ^ body).volume() > 1e-6 for body in swept)

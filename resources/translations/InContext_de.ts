@@ -946,10 +946,6 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und 2 GB b
         <translation>Welches Ende einer Drehfläche keine Wand hat</translation>
     </message>
     <message>
-        <source>Write the plates as DXF, SVG, STEP and plates.json into a folder</source>
-        <translation>Platten als DXF, SVG, STEP und plates.json in einen Ordner schreiben</translation>
-    </message>
-    <message>
         <source>Write the shelled solid as STL, 3MF and STEP into a folder</source>
         <translation>Den Hohlkörper als STL, 3MF und STEP in einen Ordner schreiben</translation>
     </message>
@@ -1084,6 +1080,130 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und 2 GB b
     <message>
         <source>{} was saved by a newer version of this addon; what it added is left as it is</source>
         <translation>{} wurde von einer neueren Version dieses Addons gespeichert; was sie hinzufügte, bleibt, wie es ist</translation>
+    </message>
+    <message>
+        <source>Check fit</source>
+        <translation>Passung prüfen</translation>
+    </message>
+    <message>
+        <source>Test the plates or the solid against the things traced on the photo, and whether they stand: clearance, overlaps in red, centre of mass, loose and thin parts</source>
+        <translation>Platten oder Körper gegen die auf dem Foto nachgezeichneten Dinge prüfen, und ob sie stehen: Abstand, Überschneidungen in Rot, Schwerpunkt, lose und dünne Teile</translation>
+    </message>
+    <message>
+        <source>plates or a shelled solid</source>
+        <translation>Platten oder einen Hohlkörper</translation>
+    </message>
+    <message>
+        <source>Write the plates as DXF, SVG, STEP and plates.json into a folder; where a fit test is selected, write that</source>
+        <translation>Die Platten als DXF, SVG, STEP und plates.json in einen Ordner schreiben; ist eine Passprobe ausgewählt, dann diese</translation>
+    </message>
+    <message>
+        <source>Make fit test</source>
+        <translation>Passprobe erzeugen</translation>
+    </message>
+    <message>
+        <source>Make a small comb with notches of different play and a tab, with the settings of the plates: cut it first; selected, it is written by Export plates</source>
+        <translation>Einen kleinen Kamm mit Kerben verschiedenen Spiels und einen Zapfen erzeugen, mit den Einstellungen der Platten: zuerst schneiden; ausgewählt wird sie von „Platten exportieren“ geschrieben</translation>
+    </message>
+    <message>
+        <source>nothing is traced on the photo to fit to</source>
+        <translation>auf dem Foto ist nichts nachgezeichnet, wozu es passen soll</translation>
+    </message>
+    <message>
+        <source>it stands</source>
+        <translation>es steht</translation>
+    </message>
+    <message>
+        <source>it does not stand</source>
+        <translation>es steht nicht</translation>
+    </message>
+    <message>
+        <source>Fit check</source>
+        <translation>Passungsprüfung</translation>
+    </message>
+    <message>
+        <source>The plates or the solid that are checked</source>
+        <translation>Die Platten oder der Körper, die geprüft werden</translation>
+    </message>
+    <message>
+        <source>Clearance, overlap and missing millimetres to each thing traced on the photo</source>
+        <translation>Abstand, Überschneidung und fehlende Millimeter zu jedem auf dem Foto nachgezeichneten Ding</translation>
+    </message>
+    <message>
+        <source>Whether each of these things fits</source>
+        <translation>Ob jedes dieser Dinge passt</translation>
+    </message>
+    <message>
+        <source>Whether it stays as it is</source>
+        <translation>Ob es so stehen bleibt</translation>
+    </message>
+    <message>
+        <source>Whether it stands, and when it tips over</source>
+        <translation>Ob es steht, und wann es kippt</translation>
+    </message>
+    <message>
+        <source>Loose and thin parts</source>
+        <translation>Lose und dünne Teile</translation>
+    </message>
+    <message>
+        <source>What the object shares with existing things</source>
+        <translation>Was der Gegenstand mit vorhandenen Dingen gemeinsam hat</translation>
+    </message>
+    <message>
+        <source>Of the object alone</source>
+        <translation>Des Gegenstands allein</translation>
+    </message>
+    <message>
+        <source>The polygon on which it stands</source>
+        <translation>Das Vieleck, auf dem es steht</translation>
+    </message>
+    <message>
+        <source>choose plates or a shelled solid</source>
+        <translation>bitte Platten oder einen Hohlkörper wählen</translation>
+    </message>
+    <message>
+        <source>{} of {} things are in the way</source>
+        <translation>{} von {} Dingen sind im Weg</translation>
+    </message>
+    <message>
+        <source>it fits</source>
+        <translation>es passt</translation>
+    </message>
+    <message>
+        <source>Fit test</source>
+        <translation>Passprobe</translation>
+    </message>
+    <message>
+        <source>The plates whose settings it tries</source>
+        <translation>Die Platten, deren Einstellungen sie erprobt</translation>
+    </message>
+    <message>
+        <source>The play of each notch in mm, from left to right; it is engraved beside it</source>
+        <translation>Das Spiel jeder Kerbe in mm, von links nach rechts; es ist daneben eingraviert</translation>
+    </message>
+    <message>
+        <source>cut it first; the notch in which the tab sits well says which play to set</source>
+        <translation>zuerst schneiden; die Kerbe, in der der Zapfen gut sitzt, sagt das richtige Spiel</translation>
+    </message>
+    <message>
+        <source>choose plates</source>
+        <translation>bitte Platten wählen</translation>
+    </message>
+    <message>
+        <source>Nothing is traced on the photo to fit to. Draw what is there with the line, box or circle tool and press X to make it construction.</source>
+        <translation>Auf dem Foto ist nichts nachgezeichnet, wozu es passen soll. Vorhandenes mit Linie, Quader oder Kreis zeichnen und mit X zu Hilfsgeometrie machen.</translation>
+    </message>
+    <message>
+        <source>Does it fit?</source>
+        <translation>Passt es?</translation>
+    </message>
+    <message>
+        <source>Will it stand?</source>
+        <translation>Steht es?</translation>
+    </message>
+    <message>
+        <source>Loose or thin</source>
+        <translation>Lose oder dünn</translation>
     </message>
 </context>
 </TS>

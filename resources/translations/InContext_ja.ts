@@ -946,10 +946,6 @@ FreeCAD のフォルダーに入れます。数分と 2 GB かかることがあ
         <translation>回転体のどちらの端を開けるか</translation>
     </message>
     <message>
-        <source>Write the plates as DXF, SVG, STEP and plates.json into a folder</source>
-        <translation>板を DXF、SVG、STEP、plates.json としてフォルダーに書き出す</translation>
-    </message>
-    <message>
         <source>Write the shelled solid as STL, 3MF and STEP into a folder</source>
         <translation>中空の立体を STL、3MF、STEP としてフォルダーに書き出す</translation>
     </message>
@@ -1084,6 +1080,130 @@ FreeCAD のフォルダーに入れます。数分と 2 GB かかることがあ
     <message>
         <source>{} was saved by a newer version of this addon; what it added is left as it is</source>
         <translation>{} は新しい版のアドオンで保存されました。追加された内容はそのまま残ります</translation>
+    </message>
+    <message>
+        <source>Check fit</source>
+        <translation>適合を確認</translation>
+    </message>
+    <message>
+        <source>Test the plates or the solid against the things traced on the photo, and whether they stand: clearance, overlaps in red, centre of mass, loose and thin parts</source>
+        <translation>板や立体を写真でなぞった物と照らし合わせ、立つかどうかも確認します：すき間、重なり（赤）、重心、外れやすい所や薄い所</translation>
+    </message>
+    <message>
+        <source>plates or a shelled solid</source>
+        <translation>板またはシェル立体</translation>
+    </message>
+    <message>
+        <source>Write the plates as DXF, SVG, STEP and plates.json into a folder; where a fit test is selected, write that</source>
+        <translation>板を DXF、SVG、STEP、plates.json としてフォルダーに書き出します。はめ合い試験片を選んでいればそれを書き出します</translation>
+    </message>
+    <message>
+        <source>Make fit test</source>
+        <translation>はめ合い試験片を作成</translation>
+    </message>
+    <message>
+        <source>Make a small comb with notches of different play and a tab, with the settings of the plates: cut it first; selected, it is written by Export plates</source>
+        <translation>板と同じ設定で、遊びの異なる切り欠きの小さな櫛とほぞを作ります。最初に切ってください。選択すると「板を書き出す」で書き出されます</translation>
+    </message>
+    <message>
+        <source>nothing is traced on the photo to fit to</source>
+        <translation>合わせる物が写真でなぞられていません</translation>
+    </message>
+    <message>
+        <source>it stands</source>
+        <translation>立ちます</translation>
+    </message>
+    <message>
+        <source>it does not stand</source>
+        <translation>立ちません</translation>
+    </message>
+    <message>
+        <source>Fit check</source>
+        <translation>適合の確認</translation>
+    </message>
+    <message>
+        <source>The plates or the solid that are checked</source>
+        <translation>確認する板または立体</translation>
+    </message>
+    <message>
+        <source>Clearance, overlap and missing millimetres to each thing traced on the photo</source>
+        <translation>写真でなぞった各物とのすき間、重なり、不足するミリ数</translation>
+    </message>
+    <message>
+        <source>Whether each of these things fits</source>
+        <translation>各物が収まるかどうか</translation>
+    </message>
+    <message>
+        <source>Whether it stays as it is</source>
+        <translation>そのまま立っているかどうか</translation>
+    </message>
+    <message>
+        <source>Whether it stands, and when it tips over</source>
+        <translation>立つかどうか、いつ倒れるか</translation>
+    </message>
+    <message>
+        <source>Loose and thin parts</source>
+        <translation>外れやすい所と薄い所</translation>
+    </message>
+    <message>
+        <source>What the object shares with existing things</source>
+        <translation>既存の物と重なっている部分</translation>
+    </message>
+    <message>
+        <source>Of the object alone</source>
+        <translation>作る物だけの重心</translation>
+    </message>
+    <message>
+        <source>The polygon on which it stands</source>
+        <translation>接地している多角形</translation>
+    </message>
+    <message>
+        <source>choose plates or a shelled solid</source>
+        <translation>板またはシェル立体を選んでください</translation>
+    </message>
+    <message>
+        <source>{} of {} things are in the way</source>
+        <translation>{} / {} 個の物とぶつかります</translation>
+    </message>
+    <message>
+        <source>it fits</source>
+        <translation>収まります</translation>
+    </message>
+    <message>
+        <source>Fit test</source>
+        <translation>はめ合い試験片</translation>
+    </message>
+    <message>
+        <source>The plates whose settings it tries</source>
+        <translation>設定を試す板</translation>
+    </message>
+    <message>
+        <source>The play of each notch in mm, from left to right; it is engraved beside it</source>
+        <translation>左から順に各切り欠きの遊び（mm）。横に彫刻されます</translation>
+    </message>
+    <message>
+        <source>cut it first; the notch in which the tab sits well says which play to set</source>
+        <translation>最初に切ってください。ほぞがちょうどよく入る切り欠きが、設定すべき遊びを示します</translation>
+    </message>
+    <message>
+        <source>choose plates</source>
+        <translation>板を選んでください</translation>
+    </message>
+    <message>
+        <source>Nothing is traced on the photo to fit to. Draw what is there with the line, box or circle tool and press X to make it construction.</source>
+        <translation>合わせる物が写真でなぞられていません。線・箱・円のツールで描き、X キーで補助線にしてください。</translation>
+    </message>
+    <message>
+        <source>Does it fit?</source>
+        <translation>収まりますか？</translation>
+    </message>
+    <message>
+        <source>Will it stand?</source>
+        <translation>立ちますか？</translation>
+    </message>
+    <message>
+        <source>Loose or thin</source>
+        <translation>外れやすい・薄い</translation>
     </message>
 </context>
 </TS>

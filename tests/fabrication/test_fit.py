@@ -199,6 +199,34 @@ def test_a_print_over_a_cylinder():
             assert fit.overlaps[0].missing_mm == pytest.approx(missing, abs=0.03)
 
 
+@pytest.mark.parametrize("printed", [False, True])
+def test_a_book_on_the_desk_will_stand_on_the_floor_of_the_shelf(printed):
+    """As the paper's books do: they were there before the shelf had a bottom."""
+    model = shelf()
+    for width, height, fits in ((150, 65, True), (150, 72, False), (190, 65, False)):
+        things = things_of(*block((10, 10, 0), (10 + width, 80, height)))
+        if printed:
+            loops = {
+                **shapes.box_loops(200, 90, 160),
+                "shelf": shapes.rect(2, 75, (0, 200), (0, 90)),
+            }
+            closed = shapes.model(loops, left_out=("front",))
+            mesh = mesh_of(shell_solid(closed, ShellSettings(3.0)))
+            (fit,) = check_print(mesh, model, things, CAMERA, 0.4).fits
+        else:
+            (fit,) = checked(things, model).fits
+        assert fit.lift_mm == pytest.approx(3.0, abs=1e-3)
+        assert fit.fits is fits
+        assert "(which will stand 3.0 mm higher)" in fit.words
+        if fits:
+            assert fit.room_mm["up"] == pytest.approx(5.5, abs=TOUCH_MM)
+        elif not printed:
+            # 3 + 72 under a board that begins at 73.5; 10 + 190 before a wall that begins at 197.
+            assert fit.overlaps[0].missing_mm == pytest.approx(
+                1.5 if width == 150 else 3.0, abs=1e-3
+            )
+
+
 def test_ways_are_those_of_the_photo():
     turn = [[0, 1, 0], [0, 0, -1], [-1, 0, 0]]
     ways = ways_of(shelf(), Camera(1000.0, [800, 600], turn, [0, 500, 2000]))

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from .base import Command
+from .check_fit import CheckFit
 from .edit_sketch import EditSketch
 from .export_plates import ExportPlates
 from .export_print import ExportPrint
 from .fix_length import FixLength
 from .import_sketch import ImportSketch
 from .lift import Lift
+from .make_fit_test import MakeFitTest
 from .make_plates import MakePlates
 from .make_shell import MakeShell
 from .new_sketch import NewSketch
@@ -29,6 +31,8 @@ COMMANDS: tuple[type[Command], ...] = (
     FixLength,
     MakePlates,
     MakeShell,
+    CheckFit,
+    MakeFitTest,
     ExportPlates,
     ExportPrint,
 )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from .. import host
 from ..features.plate_set import is_plate_set
 from .base import Command
@@ -14,7 +16,10 @@ class ExportPlates(Command):
     NAME = "InContext_ExportPlates"
     ICON = "InContext_ExportPlates"
     MENU_TEXT = "Export plates..."
-    TOOLTIP = "Write the plates as DXF, SVG, STEP and plates.json into a folder"
+    TOOLTIP = (
+        "Write the plates as DXF, SVG, STEP and plates.json into a folder; where a fit test is "
+        "selected, write that"
+    )
     SHORTCUT = "I, X"
     NEEDS = ("numpy", "scipy", "shapely", "ezdxf")
 
@@ -25,14 +30,26 @@ class ExportPlates(Command):
     def run(self) -> None:
         """See the class."""
         from ..features.exports import export_plates
+        from ..features.fit_test import export_fit_test
         from ..panels.asking import ask_for_folder
 
-        plate_set = chosen(is_plate_set, "a plate set")
+        fit_test = _selected_fit_test()
+        what = fit_test or chosen(is_plate_set, "a plate set")
         folder = ask_for_folder(host.translate(self.NAME, "Choose a folder for the plates"))
         if folder is None:
             return
-        for path in export_plates(plate_set, folder, file_name(plate_set)):
+        export = export_plates if fit_test is None else export_fit_test
+        for path in export(what, folder, file_name(what)):
             host.note(str(path))
+
+
+def _selected_fit_test() -> Any:
+    import FreeCADGui
+
+    from ..features.fit_test import is_fit_test
+
+    found = [obj for obj in FreeCADGui.Selection.getSelection() if is_fit_test(obj)]
+    return found[0] if len(found) == 1 else None
 
 
 def file_name(plate_set) -> str:

@@ -11,12 +11,15 @@ clearance
     The shortest distance between a thing and the object.
 room
     For each way, how far the thing could move before it touches the object.
+lift
+    What stood on the ground before the object came stands on its lowest part afterwards, so much
+    higher. Everything else is measured there.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import manifold3d
 import numpy as np
@@ -30,6 +33,8 @@ from .things import Thing
 
 #: Nearer than this is touching, and less overlap is none, mm.
 TOUCH_MM = 0.05
+#: No floor is thicker; what reaches higher into a thing is not what it stands on, mm.
+LIFT_MM = 25.0
 #: Further than this nobody is in the way, mm.
 FAR_MM = 1000.0
 _STEP_MM = 0.02
@@ -70,6 +75,7 @@ class Fit:
         The part that is nearest.
     room_mm : mapping of way to mm or None
         None where the way is free. Empty where it does not fit.
+    lift_mm : float
     """
 
     thing: Thing
@@ -77,6 +83,7 @@ class Fit:
     clearance_mm: float | None = None
     nearest: str = ""
     room_mm: Mapping[str, float | None] = field(default_factory=dict)
+    lift_mm: float = 0.0
 
     @property
     def fits(self) -> bool:
@@ -87,6 +94,8 @@ class Fit:
     def words(self) -> str:
         """One line about it."""
         name, pixel = self.thing.name, self.thing.pixel_mm
+        if self.lift_mm:
+            name += f" (which will stand {self.lift_mm:.1f} mm higher)"
         exact = f"; one pixel of the photo is {pixel:.2f} mm there" if pixel else ""
         if self.thing.kind == "mark":
             return f"{name}: lies on the ground, nothing runs into it"
@@ -129,15 +138,56 @@ def _fit(
 ) -> Fit:
     if thing.kind == "mark":
         return Fit(thing, ())
-    found = [o for part in parts if (o := _overlap(part, thing)) is not None]
+    found = _overlaps(parts, thing)
+    lift = _lift(found, thing)
+    if lift:
+        thing = _raised(thing, lift)
+        found = _overlaps(parts, thing)
     if found:
-        return Fit(thing, tuple(sorted(found, key=lambda o: -o.missing_mm)))
+        return Fit(thing, found, lift_mm=lift)
     gaps = {part.id: _gap(part, thing) for part in parts}
     nearest = min(gaps, key=lambda id_: gaps[id_])
     if gaps[nearest] >= FAR_MM:
         return Fit(thing, ())
     room = {way: _room(every, thing, direction) for way, direction in ways.items()}
-    return Fit(thing, (), gaps[nearest], nearest, room)
+    return Fit(thing, (), gaps[nearest], nearest, room, lift)
+
+
+def _overlaps(parts: Sequence[Part], thing: Thing) -> tuple[Overlap, ...]:
+    """What parts share with a thing, the worst first."""
+    found = [o for part in parts if (o := _overlap(part, thing)) is not None]
+    return tuple(sorted(found, key=lambda o: -o.missing_mm))
+
+
+def _raised(thing: Thing, lift: float) -> Thing:
+    move = np.array([0.0, 0.0, lift])
+    bodies = tuple(body.translate(move) for body in thing.bodies)
+    return replace(thing, bodies=bodies, points_mm=thing.points_mm + move)
+
+
+def _lift(overlaps: Iterable[Overlap], thing: Thing) -> float:
+    """How much higher a thing will stand: on what lies under most of it."""
+    if thing.kind not in ("block", "cylinder"):
+        return 0.0
+    ground = float(thing.points_mm[:, 2].min())
+    foot = sum(body.project().area() for body in thing.bodies[:1])
+    return max([0.0, *(_floor(overlap.body, ground, foot / 2) for overlap in overlaps)])
+
+
+def _floor(shared: manifold3d.Manifold, ground: float, least_mm2: float) -> float:
+    """Up to where, above the ground, an overlap is as large as a floor; 0 where it is none."""
+    low, high = TOUCH_MM / 2, LIFT_MM
+    if shared.slice(ground + low).area() < least_mm2:
+        return 0.0
+    if shared.slice(ground + high).area() >= least_mm2:
+        return 0.0
+    while high - low > 1e-4:
+        middle = (low + high) / 2
+        if shared.slice(ground + middle).area() < least_mm2:
+            high = middle
+        else:
+            low = middle
+    return high
 
 
 def _gap(part: Part, thing: Thing) -> float:

@@ -56,14 +56,19 @@ def mesh_of(shape: cq.Shape, deflection_mm: float = 0.02) -> Mesh:
         Where the mesh is not watertight, or has not the solid's volume.
     """
     raw, faces = shape.tessellate(deflection_mm, 0.1)
-    points = np.array([v.toTuple() for v in raw])
-    keys = np.round(points / _WELD_MM).astype(np.int64)
-    _, first, welded = np.unique(keys, axis=0, return_index=True, return_inverse=True)
-    triangles = welded.reshape(-1)[np.array(faces, dtype=np.int64)]
-    thin = [len(set(t)) < 3 for t in triangles.tolist()]
-    mesh = Mesh(points[first], triangles[~np.array(thin)].astype(np.int32))
+    mesh = welded([v.toTuple() for v in raw], faces)
     check_mesh(mesh, shape.Volume(), deflection_mm * shape.Area())
     return mesh
+
+
+def welded(points: Sequence[Sequence[float]], faces: Sequence[Sequence[int]]) -> Mesh:
+    """The mesh of triangles that have each its own corners: equal ones are made one."""
+    every = np.array(points)
+    keys = np.round(every / _WELD_MM).astype(np.int64)
+    _, first, number = np.unique(keys, axis=0, return_index=True, return_inverse=True)
+    triangles = number.reshape(-1)[np.array(faces, dtype=np.int64)]
+    thin = [len(set(t)) < 3 for t in triangles.tolist()]
+    return Mesh(every[first], triangles[~np.array(thin)].astype(np.int32))
 
 
 def check_mesh(mesh: Mesh, volume_mm3: float, slack_mm3: float) -> None:

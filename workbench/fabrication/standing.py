@@ -102,7 +102,7 @@ def standing_of(parts: Sequence[Part], ways: Mapping[str, Array]) -> Standing:
     points = corners(bodies)
     ground = float(points[:, 2].min())
     feet = MultiPoint(points[points[:, 2] < ground + FOOT_MM, :2])
-    area, spot = shapely.convex_hull(feet), Point(centre[:2])
+    area, spot = shapely.convex_hull(feet).simplify(1e-3), Point(centre[:2])
     if area.geom_type != "Polygon":
         out = _ends(area)
         near = np.array(shapely.shortest_line(spot, area).coords)

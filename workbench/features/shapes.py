@@ -13,6 +13,8 @@ import FreeCAD
 import Part
 
 if TYPE_CHECKING:
+    from manifold3d import Manifold
+
     from ...solver.graph import SketchGraph
     from ...solver.solution import Solution
     from ..fabrication.plates import Plate
@@ -50,6 +52,18 @@ def plate_solid(plate: Plate) -> Any:
     rows = [float(value) for row in plate.world_from_plate for value in row]
     solid.Placement = FreeCAD.Placement(FreeCAD.Matrix(*rows))
     return solid
+
+
+def bodies_shape(bodies: Iterable[Manifold]) -> Any:
+    """A compound of bodies of triangles, triangles of one plane made one face."""
+    return Part.makeCompound([_body_shape(body) for body in bodies if not body.is_empty()])
+
+
+def _body_shape(body: Manifold) -> Any:
+    mesh = body.to_mesh64()
+    points = [FreeCAD.Vector(*p) for p in mesh.vert_properties[:, :3].tolist()]
+    triangles = [_face([[points[n] for n in t]]) for t in mesh.tri_verts.tolist()]
+    return Part.makeSolid(Part.makeShell(triangles)).removeSplitter()
 
 
 def _points(ids: Iterable[str], solution: Solution) -> list[Any]:

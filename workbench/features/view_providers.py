@@ -129,6 +129,12 @@ class PlateSetView(LiftedModelView):
         _dress(view_object, WOOD, BURNT_EDGE)
 
 
+class FitTestView(PlateSetView):
+    """The pieces to try the play with, in the plates' wood."""
+
+    ICON = "InContext_FitTest"
+
+
 class ShelledSolidView(LiftedModelView):
     """The hollow solid, in the grey of a print."""
 

@@ -56,13 +56,15 @@ def wake(document: Any) -> tuple[str, ...]:
 
 
 def _wake(obj: Any) -> bool:
+    from .fit_check import FitCheck
+    from .fit_test import FitTest
     from .lifted_model import LiftedModel
     from .photo_sketch import PhotoSketch
     from .plate_set import PlateSet
     from .proxy import ORIGINAL_PROPERTIES
     from .shelled_solid import ShelledSolid
 
-    for cls in (PhotoSketch, LiftedModel, PlateSet, ShelledSolid):
+    for cls in (PhotoSketch, LiftedModel, PlateSet, ShelledSolid, FitTest, FitCheck):
         if ORIGINAL_PROPERTIES[cls.TYPE] <= set(obj.PropertiesList):
             proxy = cls.__new__(cls)
             obj.Proxy = proxy
@@ -76,9 +78,10 @@ def _wake(obj: Any) -> bool:
 
 def _wake_view(obj: Any, name: str) -> None:
     if FreeCAD.GuiUp:
-        from . import view_providers
+        from . import fit_view, view_providers
 
-        cls = getattr(view_providers, f"{name}View")
+        home = fit_view if hasattr(fit_view, f"{name}View") else view_providers
+        cls = getattr(home, f"{name}View")
         # Not by its own constructor: that would dress it anew, and its colours are the person's.
         obj.ViewObject.Proxy = cls.__new__(cls)
 

@@ -20,7 +20,6 @@ from .annotations import Diameter, Length
 from .diagnosis import (
     Reading,
     Relaxed,
-    beginnings,
     contradicts,
     convict,
     find_clash,
@@ -49,6 +48,8 @@ GROSS_RMS = 0.03
 NEAR_ITERATIONS = 40
 #: Constraints whose residuals (radians, parts of a length) are below this hold.
 HELD = 1e-8
+#: Parts so many times nearer or farther than the rest have flown off.
+FLOWN = 20.0
 #: Beyond these it is a tangle, no sketch: free coordinates, and numbers in their conditions' table.
 MAX_COORDINATES = 900
 MAX_NUMBERS = 500_000
@@ -230,26 +231,18 @@ def lift_near(graph: SketchGraph, near: Relaxed, stop: Stop) -> Near | None:
 
 
 def is_settled(lifted: Candidate) -> bool:
-    """Whether the full step came to its end, with all annotations held."""
+    """Whether the full step came to its end, with all annotations held and no part flown off."""
     h, _ = lifted.full.constraints(lifted.minimum.x)
-    return lifted.minimum.converged and float(np.abs(h).max(initial=0.0)) < HELD
+    held = float(np.abs(h).max(initial=0.0)) < HELD
+    return lifted.minimum.converged and held and _is_together(lifted)
 
 
-def rescue(graph: SketchGraph, lifted: Candidate, stop: Stop) -> Near | None:
-    """A shape that all annotations hold for, where the usual way did not lead to one."""
-    best: tuple[float, Near] | None = None
-    for near in beginnings(graph, lifted.problem, lifted.minimum.x):
-        found = lift_near(graph, near, stop)
-        if stop():
-            break
-        if found is None or not is_settled(found):
-            continue
-        reading = reading_of(graph, found)
-        if reading.plausible and (best is None or reading.rms < best[0]):
-            best = (reading.rms, found)
-            if reading.rms < CLOSER_LOOK_RMS:
-                break
-    return None if best is None or best[0] > DOUBTFUL_RMS else best[1]
+def _is_together(lifted: Candidate) -> bool:
+    """Whether all of it is about as far away: parts that hardly hang on fly to the eye."""
+    x = lifted.minimum.x
+    depth = lifted.full.positions(x) @ x.R[2]
+    usual = float(np.median(depth)) if len(depth) else 1.0
+    return bool((depth > usual / FLOWN).all() and (depth < usual * FLOWN).all())
 
 
 def _or(ids: tuple[str, ...]) -> str:

@@ -307,12 +307,12 @@ def _grid(
     scored = []
     drawn = _Lines(lines, weights, axes)
     for log_focal in focals:
-        r = drawn.residuals(_VIEWS, np.array([log_focal]))
+        r = drawn.residuals(VIEWS, np.array([log_focal]))
         cost = (r**2).sum(axis=1)
         for i in _apart(np.argsort(cost)[:40]):
             scored.append((float(cost[i]), i, float(log_focal)))
     scored.sort()
-    return [(_VIEWS[i], log_focal) for _, i, log_focal in scored[:9]]
+    return [(VIEWS[i], log_focal) for _, i, log_focal in scored[:9]]
 
 
 def _apart(best: NDArray[np.int64]) -> list[int]:
@@ -330,7 +330,7 @@ def _apart(best: NDArray[np.int64]) -> list[int]:
 @lru_cache(maxsize=1)
 def _alike() -> BoolArray:
     """Which of the fixed views are within about 25 degrees of each other, up to axes' signs."""
-    cosines = np.abs(np.einsum("aij,bij->abj", _VIEWS, _VIEWS))
+    cosines = np.abs(np.einsum("aij,bij->abj", VIEWS, VIEWS))
     return np.asarray(cosines.min(axis=2) > 0.9)
 
 
@@ -340,7 +340,7 @@ def _fixed_views() -> Array:
     return np.asarray(rotations, dtype=float)
 
 
-_VIEWS = _fixed_views()
+VIEWS = _fixed_views()
 
 
 def lift_linear(problem: Problem, R: Array, log_focal: float, pull: float) -> Array:

@@ -27,7 +27,6 @@ from .blaming import (
     is_settled,
     needs_a_closer_look,
     reading_of,
-    rescue,
 )
 from .camera import Camera
 from .circles import flat_circles
@@ -43,15 +42,13 @@ from .diagnosis import (
 )
 from .errors import SketchError
 from .faces import find_faces
-from .focal_prior import USUAL
-from .full import EXIF_LOG_SIGMA, FocalPrior, FullProblem
 from .graph import SketchGraph
-from .least_squares import minimise
-from .lifting import Lifted, is_unsure_of_focal, lift, lift_near
+from .lifting import Lifted, lift, lift_near
 from .necker import fits_as_well, twin_of
 from .on_found_faces import solve_on_found_faces
 from .placed import put_in_world
 from .problem import build_problem
+from .rescuing import lift_as_guessed, rescued
 from .residuals import annotation_residuals
 from .revolution import without_profiles
 from .solution import Report, Solution, Status
@@ -221,7 +218,7 @@ def _lift_or_blame(
     core: SketchGraph, structure: Structure, stop: Stop
 ) -> tuple[Lifted | None, Blame | None]:
     """The shape, or where an annotation contradicts the drawing grossly the shape without it."""
-    lifted = lift(core, structure, stop, wary=True)
+    lifted = lift_as_guessed(core, structure, stop) or lift(core, structure, stop, wary=True)
     if lifted is None or _is_fine(core, lifted):
         return lifted, None
     blamed = None
@@ -235,28 +232,12 @@ def _lift_or_blame(
     # What was found at first sight only is finished.
     lifted = lift(core, structure, stop) if lifted.doubtful else lifted
     if lifted is not None and not is_settled(lifted):
-        lifted = _rescued(core, lifted, stop)
+        lifted = rescued(core, lifted, stop) or lifted
     return lifted, blamed
 
 
 def _is_fine(core: SketchGraph, lifted: Lifted) -> bool:
     return not lifted.doubtful and is_settled(lifted) and not needs_a_closer_look(core, lifted)
-
-
-def _rescued(core: SketchGraph, lifted: Lifted, stop: Stop) -> Lifted:
-    """Reached in another way, with what is known of the focal length."""
-    near = rescue(core, lifted, stop)
-    if near is None:
-        return lifted
-    full, x, assumed = near.full, near.minimum.x, False
-    known = near.problem.log_focal_prior
-    if known is None and is_unsure_of_focal(full, x):
-        assumed = True
-        full = FullProblem(near.problem, USUAL)
-    elif known is not None and near.problem.camera is None:
-        full = FullProblem(near.problem, FocalPrior(known, EXIF_LOG_SIGMA))
-    minimum = minimise(full, x, near=True, stop=stop)
-    return Lifted(near.problem, full, minimum, near.above, assumed)
 
 
 def _describe(

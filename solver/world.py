@@ -28,6 +28,8 @@ from .values import Array
 ASSUMED_LONGEST_MM = 100.0
 #: A length and a known camera that differ by less than this part agree.
 AGREE = 1e-9
+#: A direction with this cosine to the upward one tells nothing of what is level.
+MOSTLY_UP = 1 - 1e-9
 #: What is deeper in the ground than this part of the object's size is not there by chance.
 SUNK = 0.05
 
@@ -76,8 +78,6 @@ def up_direction(graph: SketchGraph, problem: Problem, pose: Pose) -> Array:
         return _most_upright(problem, pose)
     if vertical is not None and not ground:
         return np.asarray(np.eye(3)[vertical] * (-1.0 if pose.R[1, vertical] > 0 else 1.0))
-    if vertical is not None and not ground:
-        return np.asarray(np.eye(3)[vertical] * -np.copysign(1.0, pose.R[1, vertical]))
     if vertical is not None:
         normal = np.eye(3)[vertical]
     else:
@@ -219,8 +219,12 @@ def _axes(problem: Problem, pose: Pose, up: Array) -> Array:
         level = [o for o in options if abs(float(o @ up)) < 0.5]
         # None is level where the ground is oblique to all of them.
         x = max(level, key=lambda o: float(o @ right), default=right)
-    x = x - (x @ up) * up
-    x = x / np.linalg.norm(x)
+    if abs(float(x @ up)) > MOSTLY_UP:
+        # The ground was drawn upright: any level direction will do.
+        x = pose.R[1]
+    for _ in range(2):  # once leaves rounding errors where x is nearly up
+        x = x - (x @ up) * up
+        x = x / np.linalg.norm(x)
     y = cross(up, x)
     return np.array([x, y, up])
 

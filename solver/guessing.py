@@ -1,0 +1,199 @@
+"""What a drawing suggests where the annotations leave much open: good for a beginning, no more.
+
+Few annotations share few coordinates, and the rest is then a matter of many curved constraints that
+no step from afar meets. Most things that people draw have three directions, though: a view in which
+most drawn lines run along one of three perpendicular axes tells which edges those are. Solved with
+that said as well, the shape is near; then everything guessed is taken back.
+
+Terms
+-----
+guess
+    Parallels and right angles that nobody annotated but the drawing agrees with.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from .annotations import Annotation, Parallel, RightAngle
+from .focal_prior import USUAL_SIGMA
+from .geometry import cross
+from .graph import SketchGraph
+from .ids import fresh_id
+from .initial import FOCAL_GUESSES, LOG_FOCAL_RANGE, USUAL_LOG_FOCAL, VIEWS
+from .problem import Problem
+from .structure import build_structure
+from .values import Array, IntArray
+
+#: Views that are looked at closely, and guesses that are told.
+MAX_VIEWS, MAX_GUESSES = 12, 4
+#: A line further than this from an axis (sine) is along none; wider while the view is coarse.
+COARSE, FINE = 0.15, 0.05
+REFINEMENTS = 12
+#: An edge may lean by this angle (rad), and by what a hand strays at its ends, in parts of the
+#: drawing's diagonal.
+LEAN, STRAY = 0.035, 0.015
+#: How far drawn lines lean (rad), against which the usual focal length is weighed.
+USUAL_LEAN = 0.03
+MOST_LEAN = 0.25
+#: An axis is told from another one where that fits so many times worse.
+TOLD_APART = 2.0
+
+
+def guesses(graph: SketchGraph, problem: Problem) -> Iterator[SketchGraph]:
+    """The graph with more annotations, the likeliest guess first.
+
+    Parameters
+    ----------
+    graph : SketchGraph
+    problem : Problem
+        Of the graph as it is.
+    """
+    drawn = _drawn_lines(problem)
+    told: list[frozenset[tuple[int, int]]] = []
+    for R, log_focal in _views(drawn, problem.log_focal_prior):
+        axis = _axes(drawn, problem, R, log_focal)
+        key = _without_names(axis)
+        if key in told or len(told) == MAX_GUESSES:
+            continue
+        told.append(key)
+        more = _saying(graph, problem, axis)
+        if more is not None:
+            yield more
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Lines:
+    """Lines (m, 3) through drawn edges, their lengths, and how far each may lean (rad)."""
+
+    lines: Array
+    lengths: Array
+    tolerance: Array
+
+    def sines(self, R: Array, log_focal: float) -> Array:
+        """Of the angle between each line's plane and each axis, (m, 3)."""
+        return np.asarray(self.normals(log_focal) @ R)
+
+    def normals(self, log_focal: float) -> Array:
+        f = np.exp(log_focal)
+        N = self.lines * np.array([f, f, 1.0])
+        return np.asarray(N / np.maximum(np.linalg.norm(N, axis=1), 1e-300)[:, None])
+
+
+def _drawn_lines(problem: Problem) -> _Lines:
+    p, q = (problem.points[problem.ends[:, k]] for k in (0, 1))
+    ones = np.ones((len(p), 1))
+    lengths = np.linalg.norm(q - p, axis=1)
+    diagonal = float(np.linalg.norm(np.ptp(problem.points, axis=0)))
+    stray = STRAY * diagonal / np.maximum(lengths, 1e-300)
+    lines = cross(np.hstack([p, ones]), np.hstack([q, ones]))
+    return _Lines(lines, lengths, np.minimum(LEAN + stray, MOST_LEAN))
+
+
+def _views(drawn: _Lines, known: float | None) -> list[tuple[Array, float]]:
+    """Cameras in which most of what is drawn runs along the axes, best first."""
+    scored = []
+    for log_focal in FOCAL_GUESSES if known is None else (known,):
+        sines = np.einsum("mi,vik->vmk", drawn.normals(log_focal), VIEWS)
+        least = np.abs(sines).min(axis=2) / COARSE
+        costs = np.minimum(least**2, 1.0) @ drawn.lengths
+        scored += [(float(costs[i]), i, log_focal) for i in np.argsort(costs)[:MAX_VIEWS].tolist()]
+    found = [
+        _refined(drawn, VIEWS[i], log_focal, known)
+        for _, i, log_focal in sorted(scored)[:MAX_VIEWS]
+    ]
+    return [(R, log_focal) for _, R, log_focal in sorted(found, key=lambda f: f[0])]
+
+
+def _refined(
+    drawn: _Lines, R: Array, log_focal: float, known: float | None
+) -> tuple[float, Array, float]:
+    """Iteratively reweighted least squares: lines along no axis lose their say."""
+    for width in np.geomspace(COARSE, FINE, REFINEMENTS):
+        sines = drawn.sines(R, log_focal)
+        axis = np.argmin(np.abs(sines), axis=1)
+        r = sines[np.arange(len(axis)), axis]
+        weight = drawn.lengths / (1 + (r / width) ** 2) ** 2
+        J = _derivatives(drawn, R, log_focal, axis)
+        if known is not None:
+            J[:, 3] = 0.0
+        A = (J.T * weight) @ J
+        b = J.T @ (weight * r)
+        # Careless lines say "from afar": what is usual has a say.
+        expected = float(drawn.lengths.sum()) * (USUAL_LEAN / USUAL_SIGMA) ** 2
+        A[3, 3] += expected
+        b[3] += expected * (log_focal - (USUAL_LOG_FOCAL if known is None else known))
+        A[np.diag_indices(4)] += 1e-4 * float(np.trace(A)) + 1e-300
+        step = -np.linalg.solve(A, b)
+        R = Rotation.from_rotvec(step[:3]).as_matrix() @ R
+        log_focal = float(np.clip(log_focal + np.clip(step[3], -0.3, 0.3), *LOG_FOCAL_RANGE))
+    least = np.abs(drawn.sines(R, log_focal)).min(axis=1) / FINE
+    return float(np.minimum(least**2, 1.0) @ drawn.lengths), R, log_focal
+
+
+def _derivatives(drawn: _Lines, R: Array, log_focal: float, axis: IntArray) -> Array:
+    """Of each line's sine to its axis, by a turn and the log focal length, (m, 4)."""
+    N, D = drawn.normals(log_focal), R[:, axis].T
+    by_focal = N * np.array([1.0, 1.0, 0.0])
+    by_focal -= N * np.einsum("mi,mi->m", N, by_focal)[:, None]
+    return np.column_stack([cross(D, N), np.einsum("mi,mi->m", by_focal, D)])
+
+
+def _axes(drawn: _Lines, problem: Problem, R: Array, log_focal: float) -> IntArray:
+    """The axis of each edge, -1 where that is open: whole classes, the longest drawn first."""
+    directions = problem.structure.directions
+    off = (drawn.sines(R, log_focal) / drawn.tolerance[:, None]) ** 2
+    names, members = np.unique(directions.class_of, return_inverse=True)
+    members = members.reshape(-1)
+    total = np.bincount(members, drawn.lengths)
+    axis_of: dict[int, int] = {}
+    for c in np.argsort(-total).tolist():
+        own = members == c
+        misfit = np.sqrt(np.average(off[own], axis=0, weights=drawn.lengths[own] + 1e-300))
+        across = directions.perpendicular.get(int(names[c]), ())
+        taken = {axis_of[int(other)] for other in across if int(other) in axis_of}
+        misfit[list(taken)] = np.inf
+        best, second = np.sort(misfit)[:2]
+        if best < 1 and second > TOLD_APART * best and second > 1:
+            axis_of[int(names[c])] = int(np.argmin(misfit))
+    return np.array([axis_of.get(int(c), -1) for c in directions.class_of], dtype=np.int64)
+
+
+def _without_names(axis: IntArray) -> frozenset[tuple[int, int]]:
+    """The same for all ways to number the axes."""
+    first: dict[int, int] = {}
+    renamed = ((e, first.setdefault(k, len(first))) for e, k in enumerate(axis.tolist()) if k >= 0)
+    return frozenset(renamed)
+
+
+def _saying(graph: SketchGraph, problem: Problem, axis: IntArray) -> SketchGraph | None:
+    """The graph with the edges of each axis said to be parallel, and square to the others."""
+    edges = list(graph.edges)
+    along = [[edges[i] for i in np.flatnonzero(axis == k).tolist()] for k in range(3)]
+    said: list[Annotation] = [Parallel(tuple(group)) for group in along if len(group) > 1]
+    said += _corners(graph, problem, axis)
+    annotations = dict(graph.annotations)
+    for annotation in said:
+        annotations[fresh_id("guess", annotations)] = annotation
+    more = replace(graph, annotations=annotations)
+    return None if not said or build_structure(more).contradiction else more
+
+
+def _corners(graph: SketchGraph, problem: Problem, axis: IntArray) -> Iterator[RightAngle]:
+    """One right angle for each two axes whose edges meet somewhere."""
+    names, edges = list(graph.vertices), list(graph.edges)
+    at: dict[int, dict[int, int]] = {}
+    for e, (v, w) in enumerate(problem.ends.tolist()):
+        if axis[e] >= 0:
+            at.setdefault(v, {})[int(axis[e])] = e
+            at.setdefault(w, {})[int(axis[e])] = e
+    for pair in ((0, 1), (0, 2), (1, 2)):
+        for v, by_axis in at.items():
+            if by_axis.keys() >= set(pair):
+                first, second = (edges[by_axis[k]] for k in pair)
+                yield RightAngle(names[v], (first, second))
+                break

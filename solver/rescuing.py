@@ -1,0 +1,128 @@
+"""Sketches that the usual way does not lead to a shape: begun from somewhere else.
+
+From what the drawing suggests, or from a shape whose annotations give way as springs do.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from .blaming import (
+    CLOSER_LOOK_RMS,
+    DOUBTFUL_RMS,
+    MAX_COORDINATES,
+    Candidate,
+    Near,
+    is_settled,
+    reading_of,
+)
+from .blaming import lift_near as near_to
+from .diagnosis import Relaxed, beginnings, pose_near
+from .focal_prior import USUAL
+from .full import EXIF_LOG_SIGMA, FocalPrior, FullProblem
+from .graph import SketchGraph
+from .guessing import guesses
+from .least_squares import Minimum, minimise
+from .lifting import Lifted, is_unsure_of_focal, lift
+from .problem import Problem, build_problem
+from .structure import Structure, build_structure
+from .values import Stop
+from .world import camera_above_ground
+
+#: So many right angles that shared coordinates do not hold make a sketch that leaves much open.
+MANY_RIGHT_ANGLES = 4
+#: A guess may miss the drawing so many times further than what was not held exactly.
+NEARLY_AS_GOOD = 1.5
+
+
+def lift_as_guessed(graph: SketchGraph, structure: Structure, stop: Stop) -> Lifted | None:
+    """A good shape begun where those suggested by the drawing hold too.
+
+    Only where the annotations share so few coordinates that nothing else comes first.
+    """
+    problem = build_problem(graph, structure)
+    rows = sum(len(b.items) for b in problem.blocks if b.energy == "right_angle")
+    if rows < MANY_RIGHT_ANGLES:
+        return None
+    near = _first_good(graph, _near_guesses(graph, problem, stop), stop)
+    return _finished(graph, near, stop)
+
+
+def rescued(graph: SketchGraph, lifted: Candidate, stop: Stop) -> Lifted | None:
+    """A shape that all annotations hold for, where the usual way did not lead to one."""
+
+    def found() -> Iterator[Near | None]:
+        yield from _near_guesses(graph, lifted.problem, stop)
+        for near in beginnings(graph, lifted.problem, lifted.minimum.x):
+            yield near_to(graph, near, stop)
+
+    return _finished(graph, _first_good(graph, found(), stop), stop)
+
+
+def _first_good(graph: SketchGraph, found: Iterator[Near | None], stop: Stop) -> Near | None:
+    """The first that follows the drawing well, else the one that does best."""
+    best: tuple[float, Near] | None = None
+    for near in found:
+        if stop():
+            break
+        if near is None or not is_settled(near):
+            continue
+        reading = reading_of(graph, near)
+        if reading.plausible and (best is None or reading.rms < best[0]):
+            best = (reading.rms, near)
+            if reading.rms < CLOSER_LOOK_RMS:
+                break
+    return None if best is None or best[0] > DOUBTFUL_RMS else best[1]
+
+
+def _near_guesses(graph: SketchGraph, problem: Problem, stop: Stop) -> Iterator[Near | None]:
+    if problem.structure.n_coordinates > MAX_COORDINATES:
+        return
+    for guess in guesses(graph, problem):
+        structure = build_structure(guess)
+        if structure.n_coordinates > problem.structure.n_coordinates:
+            continue
+        lifted = lift(guess, structure, stop, wary=True)
+        if lifted is not None and not lifted.doubtful and is_settled(lifted):
+            yield _guess_taken_back(graph, guess, lifted, stop)
+
+
+def _guess_taken_back(
+    graph: SketchGraph, guess: SketchGraph, lifted: Lifted, stop: Stop
+) -> Near | None:
+    """The best shape nearby; where that is a singular point of the annotations, the guess itself.
+
+    At right-angled shapes some constraints agree to first order with moves that they forbid, and no
+    descent comes to an end there.
+    """
+    x = lifted.minimum.x
+    in_cam = lifted.full.positions(x) @ x.R.T
+    start = Relaxed(in_cam, x.g[lifted.problem.structure.radius], x.log_focal, [])
+    near = near_to(graph, start, stop)
+    if near is None or is_settled(near):
+        return near
+    pose = pose_near(near.problem, start.in_cam, start.radii, start.log_focal)
+    minimum = Minimum(pose, lifted.minimum.iterations, True, near.full.merit(pose, 0.0))
+    as_guessed = Near(
+        near.problem, near.full, minimum, camera_above_ground(graph, near.problem, pose)
+    )
+    good = reading_of(graph, as_guessed).rms <= NEARLY_AS_GOOD * reading_of(graph, near).rms
+    return as_guessed if good else near
+
+
+def _finished(graph: SketchGraph, near: Near | None, stop: Stop) -> Lifted | None:
+    """With what is known of the focal length."""
+    if near is None:
+        return None
+    full, x, assumed = near.full, near.minimum.x, False
+    known = near.problem.log_focal_prior
+    if known is None and is_unsure_of_focal(full, x):
+        assumed = True
+        full = FullProblem(near.problem, USUAL)
+    elif known is not None and near.problem.camera is None:
+        full = FullProblem(near.problem, FocalPrior(known, EXIF_LOG_SIGMA))
+    minimum = minimise(full, x, near=True, stop=stop)
+    found = Lifted(near.problem, full, minimum, near.above, assumed)
+    if is_settled(found):
+        return found
+    return Lifted(near.problem, near.full, near.minimum, near.above)

@@ -53,6 +53,8 @@ def guesses(graph: SketchGraph, problem: Problem) -> Iterator[SketchGraph]:
     problem : Problem
         Of the graph as it is.
     """
+    if not len(problem.ends):
+        return
     drawn = _drawn_lines(problem)
     told: list[frozenset[tuple[int, int]]] = []
     for R, log_focal in _views(drawn, problem.log_focal_prior):

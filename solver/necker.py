@@ -14,20 +14,21 @@ from .full import FullProblem, Pose
 from .graph import SketchGraph
 from .least_squares import minimise
 from .lifting import MAX_ITERATIONS, Lifted, spare_numbers
-from .values import Array, IntArray
+from .values import Array, IntArray, Stop
 from .world import camera_above_ground, ground_indices
 
 #: Twice the log of the odds from which on one reading is the drawing's: about 60 to 1.
 DECIDES = 8.0
 
 
-def twin_of(graph: SketchGraph, lifted: Lifted) -> Lifted | None:
+def twin_of(graph: SketchGraph, lifted: Lifted, stop: Stop | None = None) -> Lifted | None:
     """The reading with near and far exchanged; None where the drawing leads back to the first."""
     full, x = lifted.full, lifted.minimum.x
     if lifted.problem.camera is not None:
         return None
-    minimum = minimise(full, _reversed(full.positions(x), full.coordinate, x), max_iterations=40)
-    minimum = minimise(full, minimum.x, max_iterations=MAX_ITERATIONS, near=True)
+    begun = _reversed(full.positions(x), full.coordinate, x)
+    minimum = minimise(full, begun, max_iterations=40, stop=stop)
+    minimum = minimise(full, minimum.x, max_iterations=MAX_ITERATIONS, near=True, stop=stop)
     if not np.isfinite(minimum.cost) or _same_view(minimum.x, x):
         return None
     above = camera_above_ground(graph, lifted.problem, minimum.x)

@@ -86,7 +86,8 @@ def _mirror(geometry: Geometry, plane: str, point: Array, normal: Array) -> Geom
     for id_, face in geometry.faces.items():
         image = _mirror_face(face, partner)
         corners = frozenset(image.loop)
-        if len(corners) == len(image.loop) and corners not in known:
+        whole = all(len(set(loop)) == len(loop) for loop in image.loops)
+        if whole and corners not in known:
             known.add(corners)
             faces[f"{id_}@{plane}"] = image
     return Geometry({**geometry.vertices, **copies}, edges, faces)

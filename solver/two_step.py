@@ -40,6 +40,7 @@ from .diagnosis import (
     unmet_annotations,
     without,
 )
+from .effort import Effort
 from .errors import SketchError
 from .faces import find_faces
 from .graph import SketchGraph
@@ -57,8 +58,6 @@ from .symmetry import Geometry, mirrored
 from .values import Array, Progress, Stop
 from .world import ground_indices
 
-#: A solve ends after so many seconds.
-MAX_SOLVE_S = 3.0
 #: Said where the standard errors of sizes are large.
 UNSURE = " Its sizes are unsure: mark more, give a length, or trace something real in the photo."
 #: A camera this part of its height off is worth a word.
@@ -99,7 +98,7 @@ def solve(
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
         try:
             tell = progress or _nobody
-            once = partial(_solve, start=start, stop=_with_deadline(stop), tell=tell, twin=twin)
+            once = partial(_solve, start=start, effort=Effort(stop), tell=tell, twin=twin)
             solution = solve_on_found_faces(graph, once)
         except np.linalg.LinAlgError:
             solution = _lost(graph)
@@ -114,7 +113,7 @@ def _nobody(done: float, what: str) -> None:
 
 
 def _solve(
-    graph: SketchGraph, start: Solution | None, stop: Stop, tell: Progress, *, twin: bool
+    graph: SketchGraph, start: Solution | None, effort: Effort, tell: Progress, *, twin: bool
 ) -> Solution:
     tell(0.0, "reasoning about the annotations")
     nothing = _nothing_to_lift(graph)
@@ -123,29 +122,30 @@ def _solve(
     core = without_profiles(graph)
     structure = build_structure(core)
     if structure.contradiction:
-        return _without_culprit(graph, core, stop)
+        return _without_culprit(graph, core, effort)
     if structure.n_coordinates > MAX_COORDINATES:
         return _too_free(graph, f"{structure.n_coordinates} coordinates are free")
     conditions = sum(len(block.items) for block in build_problem(core, structure).blocks)
     if conditions * structure.n_coordinates > MAX_NUMBERS:
         n = structure.n_coordinates
         return _too_free(graph, f"{conditions} conditions on {n} coordinates are left")
+    effort.weigh(structure.n_coordinates + conditions)
     tell(0.1, "looking for the camera and the shape")
-    near = None if start is None else lift_near(core, structure, start, stop)
+    near = None if start is None else lift_near(core, structure, start, effort)
     if near is not None and not needs_a_closer_look(core, near):
-        return _describe(graph, core, _reading_asked_for(core, near, twin=twin))
-    lifted, blamed = _lift_or_blame(core, structure, stop)
+        return _describe(graph, core, _reading_asked_for(core, near, effort, twin=twin))
+    lifted, blamed = _lift_or_blame(core, structure, effort)
     if lifted is None:
         return _lost(graph)
     tell(0.9, "describing what was found")
-    return _describe(graph, core, _reading_asked_for(core, lifted, twin=twin), blamed)
+    return _describe(graph, core, _reading_asked_for(core, lifted, effort, twin=twin), blamed)
 
 
-def _reading_asked_for(core: SketchGraph, lifted: Lifted, *, twin: bool) -> Lifted:
+def _reading_asked_for(core: SketchGraph, lifted: Lifted, stop: Stop, *, twin: bool) -> Lifted:
     """The first or the second of two readings, and whether nothing decides between them."""
     if lifted.doubtful or (ground_indices(core) and not twin):
         return lifted
-    other = twin_of(core, lifted)
+    other = twin_of(core, lifted, stop)
     if other is None:
         return lifted
     twofold = fits_as_well(core, other, lifted)
@@ -164,12 +164,6 @@ def _lost(graph: SketchGraph) -> Solution:
         Status.NOT_CONVERGED,
         "No 3D shape fits this drawing; check the annotations against it.",
     )
-
-
-def _with_deadline(stop: Stop | None) -> Stop:
-    """Stop when asked to, or when the solve takes too long."""
-    deadline = time.perf_counter() + MAX_SOLVE_S
-    return lambda: time.perf_counter() > deadline or (stop is not None and stop())
 
 
 def _nothing_to_lift(graph: SketchGraph) -> str | None:

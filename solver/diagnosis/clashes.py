@@ -11,11 +11,11 @@ culprit
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from ..annotations import targets_of
+from ..effort import questions_within_reason
 from ..graph import SketchGraph
 from ..structure import build_structure
 
@@ -24,8 +24,6 @@ MAX_QUESTIONS = 60
 #: How often after that, to find what they clash with; fewer times among many annotations, where
 #: each answer takes longer. A clash that is not complete by then is told as far as it was found.
 MORE_QUESTIONS, MORE_AMONG_FEW = 24, 3000
-#: Nor is it asked any longer than this, s.
-MAX_SEARCH_S = 1.0
 #: How many parts are left out in turn, to see which holds the culprit.
 PARTS = 6
 
@@ -72,8 +70,8 @@ class _Search:
         self.graph = graph
         self.said = list(graph.annotations)
         self.asked: dict[frozenset[str], bool] = {}
+        self.reason = questions_within_reason(len(graph.edges) + len(self.said))
         self.limit = MAX_QUESTIONS
-        self.deadline = time.perf_counter() + MAX_SEARCH_S
 
     def agree(self, ids: Iterable[str]) -> bool:
         """Whether no contradiction follows from these; not known, and False, after too many."""
@@ -88,7 +86,7 @@ class _Search:
     @property
     def tired(self) -> bool:
         """Whether enough was asked."""
-        return len(self.asked) >= self.limit or time.perf_counter() > self.deadline
+        return len(self.asked) >= min(self.limit, self.reason)
 
     def culprits(self) -> list[str]:
         """All annotations without any one of which the others agree.

@@ -70,12 +70,13 @@ class Candidate(Protocol):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Near:
-    """A shape after the full step, begun from one that was known."""
+    """A shape after the full step, begun from one that was known, or just as it was guessed."""
 
     problem: Problem
     full: FullProblem
     minimum: Minimum[Pose]
     above: bool
+    as_guessed: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -76,6 +76,8 @@ class Lifted:
         Whether only a first look was taken, since it missed the drawing by far.
     twofold : bool
         Whether another reading fits as well.
+    as_guessed : bool
+        Whether edges drawn along three directions are square though nobody said so.
     """
 
     problem: Problem
@@ -85,6 +87,7 @@ class Lifted:
     focal_assumed: bool = False
     doubtful: bool = False
     twofold: bool = False
+    as_guessed: bool = False
 
 
 def lift(

@@ -31,8 +31,6 @@ from .world import camera_above_ground
 
 #: So many right angles that shared coordinates do not hold make a sketch that leaves much open.
 MANY_RIGHT_ANGLES = 4
-#: A guess may miss the drawing so many times further than what was not held exactly.
-NEARLY_AS_GOOD = 1.5
 
 
 def lift_as_guessed(graph: SketchGraph, structure: Structure, stop: Stop) -> Lifted | None:
@@ -90,10 +88,10 @@ def _near_guesses(graph: SketchGraph, problem: Problem, stop: Stop) -> Iterator[
 def _guess_taken_back(
     graph: SketchGraph, guess: SketchGraph, lifted: Lifted, stop: Stop
 ) -> Near | None:
-    """The best shape nearby; where that is a singular point of the annotations, the guess itself.
+    """The best shape nearby; where no descent comes to its end, the guess itself.
 
-    At right-angled shapes some constraints agree to first order with moves that they forbid, and no
-    descent comes to an end there.
+    At right-angled shapes some constraints agree to first order with moves that they forbid; and
+    valleys in which a shape follows each stroke of a careless hand may be endless.
     """
     x = lifted.minimum.x
     in_cam = lifted.full.positions(x) @ x.R.T
@@ -103,11 +101,8 @@ def _guess_taken_back(
         return near
     pose = pose_near(near.problem, start.in_cam, start.radii, start.log_focal)
     minimum = Minimum(pose, lifted.minimum.iterations, True, near.full.merit(pose, 0.0))
-    as_guessed = Near(
-        near.problem, near.full, minimum, camera_above_ground(graph, near.problem, pose)
-    )
-    good = reading_of(graph, as_guessed).rms <= NEARLY_AS_GOOD * reading_of(graph, near).rms
-    return as_guessed if good else near
+    above = camera_above_ground(graph, near.problem, pose)
+    return Near(near.problem, near.full, minimum, above, as_guessed=True)
 
 
 def _finished(graph: SketchGraph, near: Near | None, stop: Stop) -> Lifted | None:
@@ -121,8 +116,9 @@ def _finished(graph: SketchGraph, near: Near | None, stop: Stop) -> Lifted | Non
         full = FullProblem(near.problem, USUAL)
     elif known is not None and near.problem.camera is None:
         full = FullProblem(near.problem, FocalPrior(known, EXIF_LOG_SIGMA))
-    minimum = minimise(full, x, near=True, stop=stop)
-    found = Lifted(near.problem, full, minimum, near.above, assumed)
-    if is_settled(found):
-        return found
-    return Lifted(near.problem, near.full, near.minimum, near.above)
+    if not near.as_guessed:
+        minimum = minimise(full, x, near=True, stop=stop)
+        found = Lifted(near.problem, full, minimum, near.above, assumed)
+        if is_settled(found):
+            return found
+    return Lifted(near.problem, near.full, near.minimum, near.above, as_guessed=near.as_guessed)

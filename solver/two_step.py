@@ -143,7 +143,8 @@ def _solve(
 
 def _reading_asked_for(core: SketchGraph, lifted: Lifted, stop: Stop, *, twin: bool) -> Lifted:
     """The first or the second of two readings, and whether nothing decides between them."""
-    if lifted.doubtful or (ground_indices(core) and not twin):
+    decided = bool(ground_indices(core)) or lifted.as_guessed
+    if lifted.doubtful or (decided and not twin):
         return lifted
     other = twin_of(core, lifted, stop)
     if other is None:
@@ -352,6 +353,12 @@ def _verdict(
         )
     if not lifted.above:
         return (Status.CONVERGED, "Solved, but seen from below: check the ground vertices.")
+    if lifted.as_guessed:
+        return (
+            Status.CONVERGED,
+            "Solved, with what is drawn nearly square taken to be square: mark right angles where "
+            "it is.",
+        )
     if lifted.focal_assumed:
         return (
             Status.CONVERGED,

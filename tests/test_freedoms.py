@@ -87,9 +87,7 @@ def test_freedoms_equal_the_truth(seed):
     kept = {k: a for k, a in photo.graph.annotations.items() if rng.random() < part}
     graph = replace(photo.graph, annotations=kept)
     solution = solve(graph)
-    if solution.status is Status.NOT_CONVERGED:
-        assert len(solution.message) > 20
-        return
+    assert solution.status is not Status.NOT_CONVERGED
     free, loose = free_and_loose(graph, solution)
     assert solution.report.degrees_of_freedom == free
     if free:

@@ -10,7 +10,8 @@ from scenes import box, house, photograph
 
 from incontext.solver import solve
 from incontext.solver.annotations import Ground, OnFace, RightAngle, SymmetryPlane
-from incontext.solver.graph import SketchGraph
+from incontext.solver.graph import Face, SketchGraph
+from incontext.solver.symmetry import Geometry, mirrored
 
 
 def half_of_a_box(noise=0.0) -> tuple[SketchGraph, object]:
@@ -85,3 +86,21 @@ def test_a_vertex_is_measured_against_a_face_of_mirrored_vertices():
     said = {**graph.annotations, "on": OnFace("v0", mirrored)}
     residuals = solve(replace(graph, annotations=said)).report.residuals
     assert residuals["on"].value > 1.0
+
+
+def test_a_face_whose_hole_would_fold_has_no_copy():
+    low = {
+        "a": (0.0, 0.0), "b": (90.0, 0.0), "c": (0.0, 90.0),
+        "e": (10.0, 10.0), "f": (10.0, 10.1), "g": (30.0, 10.0),
+    }  # fmt: skip
+    at = {v: np.array([*xy, 0.0]) for v, xy in low.items()}
+    # What is nearest to the images of both e and f.
+    at |= {"d": np.array([0.0, 0.0, 20.0]), "h": np.array([10.0, 10.0, 20.0])}
+    graph = SketchGraph(
+        vertices=dict.fromkeys(at, (0.0, 0.0)),
+        edges={"e1": ("a", "d")},
+        annotations={"mirror": SymmetryPlane(("e1",))},
+    )
+    folding, whole = Face(("a", "b", "c"), (("e", "f", "g"),)), Face(("a", "b", "g"))
+    drawn = Geometry(at, graph.edges, {"f1": folding, "f2": whole})
+    assert set(mirrored(graph, drawn)[0].faces) == {"f1", "f2", "f2@mirror"}

@@ -91,6 +91,8 @@ class Blame:
         A sentence for people.
     held : bool
         Whether all annotations hold all the same, and only the drawing is not followed.
+    wished : bool
+        Whether it is sizes that hold though the drawing shows others.
     sure : bool
         False where no shape was found yet that all annotations hold for, though there may be one.
     """
@@ -99,6 +101,7 @@ class Blame:
     message: str
     held: bool
     sure: bool = True
+    wished: bool = False
 
 
 def reading_of(graph: SketchGraph, lifted: Candidate) -> Reading:
@@ -206,6 +209,14 @@ def blame_for_clash(graph: SketchGraph, attempt: Callable[[str], Reading | None]
         return Blame(ids, f"{_and(ids)} cannot all hold: take one of them away.", False)
     rest = f" together with {_and(ids[1:])}" if len(ids) > 1 else ""
     return Blame(ids, f"{ids[0]} cannot hold{rest}: try removing {ids[0]}.", False)
+
+
+def blame_for_wishes(graph: SketchGraph, ids: tuple[str, ...], whole: Candidate) -> Blame:
+    """What is said where sizes hold though the drawing shows others."""
+    missed = reading_of(graph, whole).rms * drawn_diagonal(whole.problem)
+    px = missed * whole.problem.px_per_unit
+    words = f"Solved, but {_or(ids)} contradicts the drawing, which is missed by {px:.2g} px."
+    return Blame(ids, words, True, wished=True)
 
 
 def _reading_again(graph: SketchGraph, other: Near, stop: Stop) -> Reading | None:

@@ -16,12 +16,14 @@ from functools import partial
 
 import numpy as np
 
+from .annotations import Diameter, Length
 from .blaming import (
     GROSS_RMS,
     MAX_COORDINATES,
     MAX_NUMBERS,
     Blame,
     blame_for_clash,
+    blame_for_wishes,
     drawn_diagonal,
     find_blame,
     is_settled,
@@ -56,6 +58,7 @@ from .solution import Report, Solution, Status
 from .structure import Structure, build_structure
 from .symmetry import Geometry, mirrored
 from .values import Array, Progress, Stop
+from .wishes import drawn_shape, fulfilled, wishes_of
 from .world import ground_indices
 
 #: Said where the standard errors of sizes are large.
@@ -219,6 +222,9 @@ def _lift_or_blame(
     blamed = None
     for lost in (False, True)[lifted.doubtful :]:
         blamed = blamed or find_blame(core, structure, lifted, stop, lost=lost)
+    wished = _as_wished(core, structure, lifted, blamed, stop)
+    if wished is not None:
+        return wished
     other = None
     if blamed is not None and not blamed.held:
         other = _lift_without(core, blamed.ids[0], stop)
@@ -229,6 +235,27 @@ def _lift_or_blame(
     if lifted is not None and not is_settled(lifted):
         lifted = rescued(core, lifted, stop) or lifted
     return lifted, blamed
+
+
+def _as_wished(
+    core: SketchGraph, structure: Structure, lifted: Lifted, blamed: Blame | None, stop: Stop
+) -> tuple[Lifted, Blame] | None:
+    """The shape with the sizes that keep the drawing from being met, where there are such."""
+    if blamed is None and is_settled(lifted):
+        return None
+    several, first = wishes_of(core), blamed.ids[:1] if blamed is not None else ()
+    tries = (
+        [first] if all(isinstance(core.annotations[i], Length | Diameter) for i in first) else []
+    )
+    # One alone would have been blamed; several may hide behind each other.
+    tries += [several] if len(several) > 1 else []
+    for wishes in tries:
+        drawn = drawn_shape(core, wishes, stop) if wishes else None
+        found = None if drawn is None else fulfilled(core, structure, drawn, stop)
+        if found is not None:
+            ids = blamed.ids if blamed is not None and wishes == first else wishes
+            return found, blame_for_wishes(core, ids, found)
+    return None
 
 
 def _is_fine(core: SketchGraph, lifted: Lifted) -> bool:
@@ -248,7 +275,8 @@ def _describe(
     conflicts = unmet_annotations(residuals, size_of(extent.reshape(-1, 3)))
     sigmas = size_sigmas(lifted.full, pose) if not open_.count else np.zeros(0)
     unsure = bool(np.sqrt(np.mean(sigmas**2)) > UNSURE_SIZE_SIGMA) if len(sigmas) else False
-    status, message = _verdict(core, lifted, open_, conflicts)
+    wished = blamed is not None and blamed.wished
+    status, message = _verdict(core, lifted, open_, conflicts, wished=wished)
     if status is Status.CONVERGED and unsure:
         message += UNSURE
     if status is Status.CONVERGED and core.camera is not None:
@@ -312,7 +340,12 @@ def _with_copies(graph: SketchGraph, vertices: Mapping[str, Array]) -> tuple[Geo
 
 
 def _verdict(
-    core: SketchGraph, lifted: Lifted, open_: Freedoms, conflicts: tuple[str, ...]
+    core: SketchGraph,
+    lifted: Lifted,
+    open_: Freedoms,
+    conflicts: tuple[str, ...],
+    *,
+    wished: bool,
 ) -> tuple[Status, str]:
     if conflicts and not lifted.minimum.converged:
         return (
@@ -333,7 +366,7 @@ def _verdict(
             f"at {_and(open_.loose[:4])}.",
         )
     misfit = float(np.sqrt(lifted.minimum.cost / max(1, len(lifted.full.coordinate))))
-    if not lifted.minimum.converged or misfit > LOST_MISFIT:
+    if not lifted.minimum.converged or (misfit > LOST_MISFIT and not wished):
         return (
             Status.NOT_CONVERGED,
             "The drawing and the annotations are too far apart: check the annotations.",

@@ -28,6 +28,10 @@
         <translation>Alle Punkte liegen auf einer Linie: bitte Kanten in mindestens zwei Richtungen zeichnen.</translation>
     </message>
     <message>
+        <source>Angle between the edges {0} and {1}</source>
+        <translation>Winkel zwischen den Kanten {0} und {1}</translation>
+    </message>
+    <message>
         <source>Annotations</source>
         <translation>Angaben</translation>
     </message>
@@ -56,6 +60,10 @@
         <translation>Hilfsgeometrie umschalten</translation>
     </message>
     <message>
+        <source>Check fit</source>
+        <translation>Passung prüfen</translation>
+    </message>
+    <message>
         <source>Choose a folder for the plates</source>
         <translation>Ordner für die Platten wählen</translation>
     </message>
@@ -78,6 +86,10 @@
     <message>
         <source>Circle</source>
         <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>Clearance, overlap and missing millimetres to each thing traced on the photo</source>
+        <translation>Abstand, Überschneidung und fehlende Millimeter zu jedem auf dem Foto nachgezeichneten Ding</translation>
     </message>
     <message>
         <source>Click a vertex that touches a face</source>
@@ -244,6 +256,10 @@
         <translation>Durchmesser des Fräsers für die Eckfreistiche</translation>
     </message>
     <message>
+        <source>Does it fit?</source>
+        <translation>Passt es?</translation>
+    </message>
+    <message>
         <source>Drag a box around a horizontal circle as it is seen: its ellipse fills the box</source>
         <translation>Rahmen um einen waagrechten Kreis ziehen, wie er im Foto erscheint: seine Ellipse füllt den Rahmen</translation>
     </message>
@@ -360,16 +376,24 @@
         <translation>Flächen sind bekannt, sobald die Skizze gelöst ist: die Zeile unten sagt, was fehlt</translation>
     </message>
     <message>
-        <source>Fix length</source>
-        <translation>Länge festhalten</translation>
+        <source>Fit check</source>
+        <translation>Passungsprüfung</translation>
     </message>
     <message>
-        <source>Fix or free length</source>
-        <translation>Länge festhalten oder freigeben</translation>
+        <source>Fit test</source>
+        <translation>Passprobe</translation>
     </message>
     <message>
-        <source>Fix the length of the edges selected in 3D, to type it anew among the model's dimensions; fixed ones follow the drawing again</source>
-        <translation>Die Länge der in 3D ausgewählten Kanten festhalten, um sie bei den Maßen des Modells neu einzugeben; festgehaltene folgen wieder der Zeichnung</translation>
+        <source>Fix or free size</source>
+        <translation>Maß festlegen oder freigeben</translation>
+    </message>
+    <message>
+        <source>Fix size</source>
+        <translation>Maß festlegen</translation>
+    </message>
+    <message>
+        <source>Fix the length of edges, the diameter of circles or the height of vertices selected in 3D, to type it anew among the model's dimensions; fixed ones follow the drawing again</source>
+        <translation>Legt die Länge von Kanten, den Durchmesser von Kreisen oder die Höhe von Punkten fest, die in 3D ausgewählt sind, um sie unter den Maßen des Modells neu einzugeben; festgelegte folgen wieder der Zeichnung</translation>
     </message>
     <message>
         <source>Follows from the others</source>
@@ -388,8 +412,8 @@
         <translation>Freier Rand eines Bogens</translation>
     </message>
     <message>
-        <source>Free length</source>
-        <translation>Länge freigeben</translation>
+        <source>Free size</source>
+        <translation>Maß freigeben</translation>
     </message>
     <message>
         <source>Full width that the beam removes; changes the cut paths only, never the plates</source>
@@ -410,6 +434,10 @@
     <message>
         <source>Have the pen stick to straight edges and corners that are seen in the photo</source>
         <translation>Der Stift rastet an geraden Kanten und Ecken ein, die im Foto zu sehen sind</translation>
+    </message>
+    <message>
+        <source>Height above the ground of {}</source>
+        <translation>Höhe über dem Boden von {}</translation>
     </message>
     <message>
         <source>How far the triangles of exported files may leave curved surfaces</source>
@@ -512,8 +540,24 @@
         <translation>Das 3D-Modell von dort sehen, wo das Foto gemacht wurde, mit dem Foto dahinter; nochmals bringt die alte Ansicht zurück</translation>
     </message>
     <message>
+        <source>Loose and thin parts</source>
+        <translation>Lose und dünne Teile</translation>
+    </message>
+    <message>
+        <source>Loose or thin</source>
+        <translation>Lose oder dünn</translation>
+    </message>
+    <message>
+        <source>Make a small comb with notches of different play and a tab, with the settings of the plates: cut it first; selected, it is written by Export plates</source>
+        <translation>Einen kleinen Kamm mit Kerben verschiedenen Spiels und einen Zapfen erzeugen, mit den Einstellungen der Platten: zuerst schneiden; ausgewählt wird sie von „Platten exportieren“ geschrieben</translation>
+    </message>
+    <message>
         <source>Make finger-jointed plates of the sketch; thickness, fingers, play and kerf are properties of the result</source>
         <translation>Fingerverzinkte Platten aus der Skizze machen; Dicke, Finger, Spiel und Schnittfuge sind Eigenschaften des Ergebnisses</translation>
+    </message>
+    <message>
+        <source>Make fit test</source>
+        <translation>Passprobe erzeugen</translation>
     </message>
     <message>
         <source>Make one hollow solid of the sketch, for a 3D printer; faces left out are openings. The first time takes some seconds</source>
@@ -610,6 +654,14 @@
     <message>
         <source>Not now</source>
         <translation>Nicht jetzt</translation>
+    </message>
+    <message>
+        <source>Nothing is traced on the photo to fit to. Draw what is there with the line, box or circle tool and press X to make it construction.</source>
+        <translation>Auf dem Foto ist nichts nachgezeichnet, wozu es passen soll. Vorhandenes mit Linie, Quader oder Kreis zeichnen und mit X zu Hilfsgeometrie machen.</translation>
+    </message>
+    <message>
+        <source>Of the object alone</source>
+        <translation>Des Gegenstands allein</translation>
     </message>
     <message>
         <source>Off</source>
@@ -832,6 +884,10 @@
         <translation>Das zuletzt kopierte Bild oder die Bilddatei als Foto nehmen</translation>
     </message>
     <message>
+        <source>Test the plates or the solid against the things traced on the photo, and whether they stand: clearance, overlaps in red, centre of mass, loose and thin parts</source>
+        <translation>Platten oder Körper gegen die auf dem Foto nachgezeichneten Dinge prüfen, und ob sie stehen: Abstand, Überschneidungen in Rot, Schwerpunkt, lose und dünne Teile</translation>
+    </message>
+    <message>
         <source>That did not work:</source>
         <translation>Das hat nicht geklappt:</translation>
     </message>
@@ -854,6 +910,22 @@
     <message>
         <source>The photo, kept inside the document</source>
         <translation>Das Foto, im Dokument gespeichert</translation>
+    </message>
+    <message>
+        <source>The plates or the solid that are checked</source>
+        <translation>Die Platten oder der Körper, die geprüft werden</translation>
+    </message>
+    <message>
+        <source>The plates whose settings it tries</source>
+        <translation>Die Platten, deren Einstellungen sie erprobt</translation>
+    </message>
+    <message>
+        <source>The play of each notch in mm, from left to right; it is engraved beside it</source>
+        <translation>Das Spiel jeder Kerbe in mm, von links nach rechts; es ist daneben eingraviert</translation>
+    </message>
+    <message>
+        <source>The polygon on which it stands</source>
+        <translation>Das Vieleck, auf dem es steht</translation>
     </message>
     <message>
         <source>The sketch has no edges: draw the object's edges over the photo.</source>
@@ -918,6 +990,10 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und 2 GB b
         <translation>Was die letzte Neuberechnung zu sagen hat</translation>
     </message>
     <message>
+        <source>What the object shares with existing things</source>
+        <translation>Was der Gegenstand mit vorhandenen Dingen gemeinsam hat</translation>
+    </message>
+    <message>
         <source>What the printer can print at once, in mm; 0 for unknown</source>
         <translation>Was der Drucker auf einmal drucken kann, in mm; 0 für unbekannt</translation>
     </message>
@@ -942,8 +1018,28 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und 2 GB b
         <translation>Wo die Wand liegt: innen heißt, die gezeichneten Flächen sind außen</translation>
     </message>
     <message>
+        <source>Whether each of these things fits</source>
+        <translation>Ob jedes dieser Dinge passt</translation>
+    </message>
+    <message>
+        <source>Whether it stands, and when it tips over</source>
+        <translation>Ob es steht, und wann es kippt</translation>
+    </message>
+    <message>
+        <source>Whether it stays as it is</source>
+        <translation>Ob es so stehen bleibt</translation>
+    </message>
+    <message>
         <source>Which end of a surface of revolution has no wall</source>
         <translation>Welches Ende einer Drehfläche keine Wand hat</translation>
+    </message>
+    <message>
+        <source>Will it stand?</source>
+        <translation>Steht es?</translation>
+    </message>
+    <message>
+        <source>Write the plates as DXF, SVG, STEP and plates.json into a folder; where a fit test is selected, write that</source>
+        <translation>Die Platten als DXF, SVG, STEP und plates.json in einen Ordner schreiben; ist eine Passprobe ausgewählt, dann diese</translation>
     </message>
     <message>
         <source>Write the shelled solid as STL, 3MF and STEP into a folder</source>
@@ -978,8 +1074,16 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und 2 GB b
         <translation>bitte eine Fotoskizze wählen</translation>
     </message>
     <message>
-        <source>edges of the mirrored half follow those that are drawn: select one of these</source>
-        <translation>Kanten der gespiegelten Hälfte folgen den gezeichneten: bitte eine von diesen auswählen</translation>
+        <source>choose plates</source>
+        <translation>bitte Platten wählen</translation>
+    </message>
+    <message>
+        <source>choose plates or a shelled solid</source>
+        <translation>bitte Platten oder einen Hohlkörper wählen</translation>
+    </message>
+    <message>
+        <source>cut it first; the notch in which the tab sits well says which play to set</source>
+        <translation>zuerst schneiden; die Kerbe, in der der Zapfen gut sitzt, sagt das richtige Spiel</translation>
     </message>
     <message>
         <source>follows from the drawing and the other dimensions</source>
@@ -990,8 +1094,32 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und 2 GB b
         <translation>Raster</translation>
     </message>
     <message>
+        <source>it does not stand</source>
+        <translation>es steht nicht</translation>
+    </message>
+    <message>
+        <source>it fits</source>
+        <translation>es passt</translation>
+    </message>
+    <message>
+        <source>it stands</source>
+        <translation>es steht</translation>
+    </message>
+    <message>
         <source>key {} in the sketch</source>
         <translation>Taste {} in der Skizze</translation>
+    </message>
+    <message>
+        <source>nothing is traced on the photo to fit to</source>
+        <translation>auf dem Foto ist nichts nachgezeichnet, wozu es passen soll</translation>
+    </message>
+    <message>
+        <source>only shown: a sketch can say right angles, others follow from lengths</source>
+        <translation>nur angezeigt: eine Skizze kann rechte Winkel angeben, andere folgen aus Längen</translation>
+    </message>
+    <message>
+        <source>only shown: to say it, draw an upright edge from the ground to there</source>
+        <translation>nur angezeigt: um sie anzugeben, eine senkrechte Kante vom Boden dorthin zeichnen</translation>
     </message>
     <message>
         <source>or</source>
@@ -1004,6 +1132,14 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und 2 GB b
     <message>
         <source>photo edge</source>
         <translation>Fotokante</translation>
+    </message>
+    <message>
+        <source>plates or a shelled solid</source>
+        <translation>Platten oder einen Hohlkörper</translation>
+    </message>
+    <message>
+        <source>said to be right in the sketch</source>
+        <translation>in der Skizze als rechter Winkel angegeben</translation>
     </message>
     <message>
         <source>select {} first</source>
@@ -1024,6 +1160,10 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und 2 GB b
     <message>
         <source>waits for {}</source>
         <translation>wartet auf {}</translation>
+    </message>
+    <message>
+        <source>what lies on the ground has no height, and what is mirrored follows what is drawn: select something else</source>
+        <translation>was auf dem Boden liegt, hat keine Höhe, und Gespiegeltes folgt dem Gezeichneten: bitte etwas anderes auswählen</translation>
     </message>
     <message>
         <source>{0} cannot hold together with {1}: try removing {0}.</source>
@@ -1070,6 +1210,10 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und 2 GB b
         <translation>{} ist nicht vorhanden; bitte den Befehl unten verwenden.</translation>
     </message>
     <message>
+        <source>{} of {} things are in the way</source>
+        <translation>{} von {} Dingen sind im Weg</translation>
+    </message>
+    <message>
         <source>{} plates</source>
         <translation>{} Platten</translation>
     </message>
@@ -1080,130 +1224,6 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und 2 GB b
     <message>
         <source>{} was saved by a newer version of this addon; what it added is left as it is</source>
         <translation>{} wurde von einer neueren Version dieses Addons gespeichert; was sie hinzufügte, bleibt, wie es ist</translation>
-    </message>
-    <message>
-        <source>Check fit</source>
-        <translation>Passung prüfen</translation>
-    </message>
-    <message>
-        <source>Test the plates or the solid against the things traced on the photo, and whether they stand: clearance, overlaps in red, centre of mass, loose and thin parts</source>
-        <translation>Platten oder Körper gegen die auf dem Foto nachgezeichneten Dinge prüfen, und ob sie stehen: Abstand, Überschneidungen in Rot, Schwerpunkt, lose und dünne Teile</translation>
-    </message>
-    <message>
-        <source>plates or a shelled solid</source>
-        <translation>Platten oder einen Hohlkörper</translation>
-    </message>
-    <message>
-        <source>Write the plates as DXF, SVG, STEP and plates.json into a folder; where a fit test is selected, write that</source>
-        <translation>Die Platten als DXF, SVG, STEP und plates.json in einen Ordner schreiben; ist eine Passprobe ausgewählt, dann diese</translation>
-    </message>
-    <message>
-        <source>Make fit test</source>
-        <translation>Passprobe erzeugen</translation>
-    </message>
-    <message>
-        <source>Make a small comb with notches of different play and a tab, with the settings of the plates: cut it first; selected, it is written by Export plates</source>
-        <translation>Einen kleinen Kamm mit Kerben verschiedenen Spiels und einen Zapfen erzeugen, mit den Einstellungen der Platten: zuerst schneiden; ausgewählt wird sie von „Platten exportieren“ geschrieben</translation>
-    </message>
-    <message>
-        <source>nothing is traced on the photo to fit to</source>
-        <translation>auf dem Foto ist nichts nachgezeichnet, wozu es passen soll</translation>
-    </message>
-    <message>
-        <source>it stands</source>
-        <translation>es steht</translation>
-    </message>
-    <message>
-        <source>it does not stand</source>
-        <translation>es steht nicht</translation>
-    </message>
-    <message>
-        <source>Fit check</source>
-        <translation>Passungsprüfung</translation>
-    </message>
-    <message>
-        <source>The plates or the solid that are checked</source>
-        <translation>Die Platten oder der Körper, die geprüft werden</translation>
-    </message>
-    <message>
-        <source>Clearance, overlap and missing millimetres to each thing traced on the photo</source>
-        <translation>Abstand, Überschneidung und fehlende Millimeter zu jedem auf dem Foto nachgezeichneten Ding</translation>
-    </message>
-    <message>
-        <source>Whether each of these things fits</source>
-        <translation>Ob jedes dieser Dinge passt</translation>
-    </message>
-    <message>
-        <source>Whether it stays as it is</source>
-        <translation>Ob es so stehen bleibt</translation>
-    </message>
-    <message>
-        <source>Whether it stands, and when it tips over</source>
-        <translation>Ob es steht, und wann es kippt</translation>
-    </message>
-    <message>
-        <source>Loose and thin parts</source>
-        <translation>Lose und dünne Teile</translation>
-    </message>
-    <message>
-        <source>What the object shares with existing things</source>
-        <translation>Was der Gegenstand mit vorhandenen Dingen gemeinsam hat</translation>
-    </message>
-    <message>
-        <source>Of the object alone</source>
-        <translation>Des Gegenstands allein</translation>
-    </message>
-    <message>
-        <source>The polygon on which it stands</source>
-        <translation>Das Vieleck, auf dem es steht</translation>
-    </message>
-    <message>
-        <source>choose plates or a shelled solid</source>
-        <translation>bitte Platten oder einen Hohlkörper wählen</translation>
-    </message>
-    <message>
-        <source>{} of {} things are in the way</source>
-        <translation>{} von {} Dingen sind im Weg</translation>
-    </message>
-    <message>
-        <source>it fits</source>
-        <translation>es passt</translation>
-    </message>
-    <message>
-        <source>Fit test</source>
-        <translation>Passprobe</translation>
-    </message>
-    <message>
-        <source>The plates whose settings it tries</source>
-        <translation>Die Platten, deren Einstellungen sie erprobt</translation>
-    </message>
-    <message>
-        <source>The play of each notch in mm, from left to right; it is engraved beside it</source>
-        <translation>Das Spiel jeder Kerbe in mm, von links nach rechts; es ist daneben eingraviert</translation>
-    </message>
-    <message>
-        <source>cut it first; the notch in which the tab sits well says which play to set</source>
-        <translation>zuerst schneiden; die Kerbe, in der der Zapfen gut sitzt, sagt das richtige Spiel</translation>
-    </message>
-    <message>
-        <source>choose plates</source>
-        <translation>bitte Platten wählen</translation>
-    </message>
-    <message>
-        <source>Nothing is traced on the photo to fit to. Draw what is there with the line, box or circle tool and press X to make it construction.</source>
-        <translation>Auf dem Foto ist nichts nachgezeichnet, wozu es passen soll. Vorhandenes mit Linie, Quader oder Kreis zeichnen und mit X zu Hilfsgeometrie machen.</translation>
-    </message>
-    <message>
-        <source>Does it fit?</source>
-        <translation>Passt es?</translation>
-    </message>
-    <message>
-        <source>Will it stand?</source>
-        <translation>Steht es?</translation>
-    </message>
-    <message>
-        <source>Loose or thin</source>
-        <translation>Lose oder dünn</translation>
     </message>
 </context>
 </TS>

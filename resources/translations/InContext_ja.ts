@@ -28,6 +28,10 @@
         <translation>頂点がすべて一直線上です。二方向以上の辺を描いてください。</translation>
     </message>
     <message>
+        <source>Angle between the edges {0} and {1}</source>
+        <translation>エッジ {0} と {1} の間の角度</translation>
+    </message>
+    <message>
         <source>Annotations</source>
         <translation>注釈</translation>
     </message>
@@ -56,6 +60,10 @@
         <translation>補助線の切り替え</translation>
     </message>
     <message>
+        <source>Check fit</source>
+        <translation>適合を確認</translation>
+    </message>
+    <message>
         <source>Choose a folder for the plates</source>
         <translation>板の保存先フォルダーを選択</translation>
     </message>
@@ -78,6 +86,10 @@
     <message>
         <source>Circle</source>
         <translation>円</translation>
+    </message>
+    <message>
+        <source>Clearance, overlap and missing millimetres to each thing traced on the photo</source>
+        <translation>写真でなぞった各物とのすき間、重なり、不足するミリ数</translation>
     </message>
     <message>
         <source>Click a vertex that touches a face</source>
@@ -244,6 +256,10 @@
         <translation>角の逃げのための刃の直径</translation>
     </message>
     <message>
+        <source>Does it fit?</source>
+        <translation>収まりますか？</translation>
+    </message>
+    <message>
         <source>Drag a box around a horizontal circle as it is seen: its ellipse fills the box</source>
         <translation>写真に見える水平な円を枠で囲むようにドラッグ。楕円が枠いっぱいに入ります</translation>
     </message>
@@ -360,16 +376,24 @@
         <translation>面はスケッチが解けるとわかります。足りないものは下の行に表示されます</translation>
     </message>
     <message>
-        <source>Fix length</source>
-        <translation>長さを固定</translation>
+        <source>Fit check</source>
+        <translation>適合の確認</translation>
     </message>
     <message>
-        <source>Fix or free length</source>
-        <translation>長さを固定または解放</translation>
+        <source>Fit test</source>
+        <translation>はめ合い試験片</translation>
     </message>
     <message>
-        <source>Fix the length of the edges selected in 3D, to type it anew among the model's dimensions; fixed ones follow the drawing again</source>
-        <translation>3D で選択した辺の長さを固定し、モデルの寸法で入力し直せるようにする。固定済みの辺は再び図に従います</translation>
+        <source>Fix or free size</source>
+        <translation>寸法を固定または解除</translation>
+    </message>
+    <message>
+        <source>Fix size</source>
+        <translation>寸法を固定</translation>
+    </message>
+    <message>
+        <source>Fix the length of edges, the diameter of circles or the height of vertices selected in 3D, to type it anew among the model's dimensions; fixed ones follow the drawing again</source>
+        <translation>3D で選択したエッジの長さ、円の直径、頂点の高さを固定し、モデルの寸法で入力できるようにします。固定済みのものは再び図に従います</translation>
     </message>
     <message>
         <source>Follows from the others</source>
@@ -388,8 +412,8 @@
         <translation>板材の余白</translation>
     </message>
     <message>
-        <source>Free length</source>
-        <translation>長さを解放</translation>
+        <source>Free size</source>
+        <translation>寸法を解除</translation>
     </message>
     <message>
         <source>Full width that the beam removes; changes the cut paths only, never the plates</source>
@@ -410,6 +434,10 @@
     <message>
         <source>Have the pen stick to straight edges and corners that are seen in the photo</source>
         <translation>写真に写っている直線のエッジと角にペンを吸着させます</translation>
+    </message>
+    <message>
+        <source>Height above the ground of {}</source>
+        <translation>{} の地面からの高さ</translation>
     </message>
     <message>
         <source>How far the triangles of exported files may leave curved surfaces</source>
@@ -512,8 +540,24 @@
         <translation>写真を撮った位置から、写真を背景に 3D モデルを見る。もう一度で元の表示に戻ります</translation>
     </message>
     <message>
+        <source>Loose and thin parts</source>
+        <translation>外れやすい所と薄い所</translation>
+    </message>
+    <message>
+        <source>Loose or thin</source>
+        <translation>外れやすい・薄い</translation>
+    </message>
+    <message>
+        <source>Make a small comb with notches of different play and a tab, with the settings of the plates: cut it first; selected, it is written by Export plates</source>
+        <translation>板と同じ設定で、遊びの異なる切り欠きの小さな櫛とほぞを作ります。最初に切ってください。選択すると「板を書き出す」で書き出されます</translation>
+    </message>
+    <message>
         <source>Make finger-jointed plates of the sketch; thickness, fingers, play and kerf are properties of the result</source>
         <translation>スケッチから組み継ぎの板を作成。厚さ、ほぞ、あそび、切り幅は結果のプロパティです</translation>
+    </message>
+    <message>
+        <source>Make fit test</source>
+        <translation>はめ合い試験片を作成</translation>
     </message>
     <message>
         <source>Make one hollow solid of the sketch, for a 3D printer; faces left out are openings. The first time takes some seconds</source>
@@ -610,6 +654,14 @@
     <message>
         <source>Not now</source>
         <translation>後で</translation>
+    </message>
+    <message>
+        <source>Nothing is traced on the photo to fit to. Draw what is there with the line, box or circle tool and press X to make it construction.</source>
+        <translation>合わせる物が写真でなぞられていません。線・箱・円のツールで描き、X キーで補助線にしてください。</translation>
+    </message>
+    <message>
+        <source>Of the object alone</source>
+        <translation>作る物だけの重心</translation>
     </message>
     <message>
         <source>Off</source>
@@ -832,6 +884,10 @@
         <translation>最後にコピーした画像または画像ファイルを写真にする</translation>
     </message>
     <message>
+        <source>Test the plates or the solid against the things traced on the photo, and whether they stand: clearance, overlaps in red, centre of mass, loose and thin parts</source>
+        <translation>板や立体を写真でなぞった物と照らし合わせ、立つかどうかも確認します：すき間、重なり（赤）、重心、外れやすい所や薄い所</translation>
+    </message>
+    <message>
         <source>That did not work:</source>
         <translation>うまくいきませんでした:</translation>
     </message>
@@ -854,6 +910,22 @@
     <message>
         <source>The photo, kept inside the document</source>
         <translation>ドキュメントに保存された写真</translation>
+    </message>
+    <message>
+        <source>The plates or the solid that are checked</source>
+        <translation>確認する板または立体</translation>
+    </message>
+    <message>
+        <source>The plates whose settings it tries</source>
+        <translation>設定を試す板</translation>
+    </message>
+    <message>
+        <source>The play of each notch in mm, from left to right; it is engraved beside it</source>
+        <translation>左から順に各切り欠きの遊び（mm）。横に彫刻されます</translation>
+    </message>
+    <message>
+        <source>The polygon on which it stands</source>
+        <translation>接地している多角形</translation>
     </message>
     <message>
         <source>The sketch has no edges: draw the object's edges over the photo.</source>
@@ -918,6 +990,10 @@ FreeCAD のフォルダーに入れます。数分と 2 GB かかることがあ
         <translation>最後の再計算の内容</translation>
     </message>
     <message>
+        <source>What the object shares with existing things</source>
+        <translation>既存の物と重なっている部分</translation>
+    </message>
+    <message>
         <source>What the printer can print at once, in mm; 0 for unknown</source>
         <translation>一度に印刷できる大きさ(mm)。0 は不明</translation>
     </message>
@@ -942,8 +1018,28 @@ FreeCAD のフォルダーに入れます。数分と 2 GB かかることがあ
         <translation>壁の位置。inside なら描いた面が外側です</translation>
     </message>
     <message>
+        <source>Whether each of these things fits</source>
+        <translation>各物が収まるかどうか</translation>
+    </message>
+    <message>
+        <source>Whether it stands, and when it tips over</source>
+        <translation>立つかどうか、いつ倒れるか</translation>
+    </message>
+    <message>
+        <source>Whether it stays as it is</source>
+        <translation>そのまま立っているかどうか</translation>
+    </message>
+    <message>
         <source>Which end of a surface of revolution has no wall</source>
         <translation>回転体のどちらの端を開けるか</translation>
+    </message>
+    <message>
+        <source>Will it stand?</source>
+        <translation>立ちますか？</translation>
+    </message>
+    <message>
+        <source>Write the plates as DXF, SVG, STEP and plates.json into a folder; where a fit test is selected, write that</source>
+        <translation>板を DXF、SVG、STEP、plates.json としてフォルダーに書き出します。はめ合い試験片を選んでいればそれを書き出します</translation>
     </message>
     <message>
         <source>Write the shelled solid as STL, 3MF and STEP into a folder</source>
@@ -978,8 +1074,16 @@ FreeCAD のフォルダーに入れます。数分と 2 GB かかることがあ
         <translation>写真スケッチを選択してください</translation>
     </message>
     <message>
-        <source>edges of the mirrored half follow those that are drawn: select one of these</source>
-        <translation>鏡映された側の辺は描いた辺に従います。描いた辺を選択してください</translation>
+        <source>choose plates</source>
+        <translation>板を選んでください</translation>
+    </message>
+    <message>
+        <source>choose plates or a shelled solid</source>
+        <translation>板またはシェル立体を選んでください</translation>
+    </message>
+    <message>
+        <source>cut it first; the notch in which the tab sits well says which play to set</source>
+        <translation>最初に切ってください。ほぞがちょうどよく入る切り欠きが、設定すべき遊びを示します</translation>
     </message>
     <message>
         <source>follows from the drawing and the other dimensions</source>
@@ -990,8 +1094,32 @@ FreeCAD のフォルダーに入れます。数分と 2 GB かかることがあ
         <translation>グリッド</translation>
     </message>
     <message>
+        <source>it does not stand</source>
+        <translation>立ちません</translation>
+    </message>
+    <message>
+        <source>it fits</source>
+        <translation>収まります</translation>
+    </message>
+    <message>
+        <source>it stands</source>
+        <translation>立ちます</translation>
+    </message>
+    <message>
         <source>key {} in the sketch</source>
         <translation>スケッチでキー {}</translation>
+    </message>
+    <message>
+        <source>nothing is traced on the photo to fit to</source>
+        <translation>合わせる物が写真でなぞられていません</translation>
+    </message>
+    <message>
+        <source>only shown: a sketch can say right angles, others follow from lengths</source>
+        <translation>表示のみ：スケッチで指定できるのは直角だけで、ほかの角度は長さから決まります</translation>
+    </message>
+    <message>
+        <source>only shown: to say it, draw an upright edge from the ground to there</source>
+        <translation>表示のみ：指定するには、地面からそこまで垂直なエッジを描いてください</translation>
     </message>
     <message>
         <source>or</source>
@@ -1004,6 +1132,14 @@ FreeCAD のフォルダーに入れます。数分と 2 GB かかることがあ
     <message>
         <source>photo edge</source>
         <translation>写真のエッジ</translation>
+    </message>
+    <message>
+        <source>plates or a shelled solid</source>
+        <translation>板またはシェル立体</translation>
+    </message>
+    <message>
+        <source>said to be right in the sketch</source>
+        <translation>スケッチで直角と指定されています</translation>
     </message>
     <message>
         <source>select {} first</source>
@@ -1024,6 +1160,10 @@ FreeCAD のフォルダーに入れます。数分と 2 GB かかることがあ
     <message>
         <source>waits for {}</source>
         <translation>{} を待っています</translation>
+    </message>
+    <message>
+        <source>what lies on the ground has no height, and what is mirrored follows what is drawn: select something else</source>
+        <translation>地面にあるものに高さはなく、鏡像は描いたものに従います。ほかのものを選択してください</translation>
     </message>
     <message>
         <source>{0} cannot hold together with {1}: try removing {0}.</source>
@@ -1070,6 +1210,10 @@ FreeCAD のフォルダーに入れます。数分と 2 GB かかることがあ
         <translation>{} がありません。下のコマンドを使ってください。</translation>
     </message>
     <message>
+        <source>{} of {} things are in the way</source>
+        <translation>{} / {} 個の物とぶつかります</translation>
+    </message>
+    <message>
         <source>{} plates</source>
         <translation>板 {} 枚</translation>
     </message>
@@ -1080,130 +1224,6 @@ FreeCAD のフォルダーに入れます。数分と 2 GB かかることがあ
     <message>
         <source>{} was saved by a newer version of this addon; what it added is left as it is</source>
         <translation>{} は新しい版のアドオンで保存されました。追加された内容はそのまま残ります</translation>
-    </message>
-    <message>
-        <source>Check fit</source>
-        <translation>適合を確認</translation>
-    </message>
-    <message>
-        <source>Test the plates or the solid against the things traced on the photo, and whether they stand: clearance, overlaps in red, centre of mass, loose and thin parts</source>
-        <translation>板や立体を写真でなぞった物と照らし合わせ、立つかどうかも確認します：すき間、重なり（赤）、重心、外れやすい所や薄い所</translation>
-    </message>
-    <message>
-        <source>plates or a shelled solid</source>
-        <translation>板またはシェル立体</translation>
-    </message>
-    <message>
-        <source>Write the plates as DXF, SVG, STEP and plates.json into a folder; where a fit test is selected, write that</source>
-        <translation>板を DXF、SVG、STEP、plates.json としてフォルダーに書き出します。はめ合い試験片を選んでいればそれを書き出します</translation>
-    </message>
-    <message>
-        <source>Make fit test</source>
-        <translation>はめ合い試験片を作成</translation>
-    </message>
-    <message>
-        <source>Make a small comb with notches of different play and a tab, with the settings of the plates: cut it first; selected, it is written by Export plates</source>
-        <translation>板と同じ設定で、遊びの異なる切り欠きの小さな櫛とほぞを作ります。最初に切ってください。選択すると「板を書き出す」で書き出されます</translation>
-    </message>
-    <message>
-        <source>nothing is traced on the photo to fit to</source>
-        <translation>合わせる物が写真でなぞられていません</translation>
-    </message>
-    <message>
-        <source>it stands</source>
-        <translation>立ちます</translation>
-    </message>
-    <message>
-        <source>it does not stand</source>
-        <translation>立ちません</translation>
-    </message>
-    <message>
-        <source>Fit check</source>
-        <translation>適合の確認</translation>
-    </message>
-    <message>
-        <source>The plates or the solid that are checked</source>
-        <translation>確認する板または立体</translation>
-    </message>
-    <message>
-        <source>Clearance, overlap and missing millimetres to each thing traced on the photo</source>
-        <translation>写真でなぞった各物とのすき間、重なり、不足するミリ数</translation>
-    </message>
-    <message>
-        <source>Whether each of these things fits</source>
-        <translation>各物が収まるかどうか</translation>
-    </message>
-    <message>
-        <source>Whether it stays as it is</source>
-        <translation>そのまま立っているかどうか</translation>
-    </message>
-    <message>
-        <source>Whether it stands, and when it tips over</source>
-        <translation>立つかどうか、いつ倒れるか</translation>
-    </message>
-    <message>
-        <source>Loose and thin parts</source>
-        <translation>外れやすい所と薄い所</translation>
-    </message>
-    <message>
-        <source>What the object shares with existing things</source>
-        <translation>既存の物と重なっている部分</translation>
-    </message>
-    <message>
-        <source>Of the object alone</source>
-        <translation>作る物だけの重心</translation>
-    </message>
-    <message>
-        <source>The polygon on which it stands</source>
-        <translation>接地している多角形</translation>
-    </message>
-    <message>
-        <source>choose plates or a shelled solid</source>
-        <translation>板またはシェル立体を選んでください</translation>
-    </message>
-    <message>
-        <source>{} of {} things are in the way</source>
-        <translation>{} / {} 個の物とぶつかります</translation>
-    </message>
-    <message>
-        <source>it fits</source>
-        <translation>収まります</translation>
-    </message>
-    <message>
-        <source>Fit test</source>
-        <translation>はめ合い試験片</translation>
-    </message>
-    <message>
-        <source>The plates whose settings it tries</source>
-        <translation>設定を試す板</translation>
-    </message>
-    <message>
-        <source>The play of each notch in mm, from left to right; it is engraved beside it</source>
-        <translation>左から順に各切り欠きの遊び（mm）。横に彫刻されます</translation>
-    </message>
-    <message>
-        <source>cut it first; the notch in which the tab sits well says which play to set</source>
-        <translation>最初に切ってください。ほぞがちょうどよく入る切り欠きが、設定すべき遊びを示します</translation>
-    </message>
-    <message>
-        <source>choose plates</source>
-        <translation>板を選んでください</translation>
-    </message>
-    <message>
-        <source>Nothing is traced on the photo to fit to. Draw what is there with the line, box or circle tool and press X to make it construction.</source>
-        <translation>合わせる物が写真でなぞられていません。線・箱・円のツールで描き、X キーで補助線にしてください。</translation>
-    </message>
-    <message>
-        <source>Does it fit?</source>
-        <translation>収まりますか？</translation>
-    </message>
-    <message>
-        <source>Will it stand?</source>
-        <translation>立ちますか？</translation>
-    </message>
-    <message>
-        <source>Loose or thin</source>
-        <translation>外れやすい・薄い</translation>
     </message>
 </context>
 </TS>

@@ -11,7 +11,7 @@ def make(arguments: list[str]) -> int:
 
     import FreeCAD
 
-    from incontext.workbench.features.dimensions import LENGTH, property_name
+    from incontext.workbench.features.dimension_names import LENGTH, property_name
     from incontext.workbench.features.examples import import_sketch
     from incontext.workbench.features.lifted_model import make_lifted_model
     from incontext.workbench.features.plate_set import make_plate_set

@@ -11,7 +11,7 @@ from pathlib import Path
 import FreeCAD
 import pytest
 
-from incontext.workbench.features.dimensions import LENGTH, property_name
+from incontext.workbench.features.dimension_names import LENGTH, property_name
 from incontext.workbench.launch import find_program
 
 #: One document each, saved by that FreeCAD with version 0.1.0 of this addon.

@@ -1,4 +1,4 @@
-"""From a length that is shown to one that drives, and back."""
+"""From a size that is shown to one that drives, and back."""
 
 from __future__ import annotations
 
@@ -7,64 +7,72 @@ from typing import Any
 import FreeCADGui
 
 from .. import host
+from ..features.dimension_names import Dimension
 from ..features.lifted_model import is_lifted_model
 from .base import Command, CommandError
 
 
 class FixLength(Command):
-    """Fix the lengths of the selected edges as they are, or let them follow again."""
+    """Fix the sizes of the selected elements as they are, or let them follow again."""
 
     NAME = "InContext_FixLength"
     ICON = "InContext_ToolLength"
-    MENU_TEXT = "Fix or free length"
+    MENU_TEXT = "Fix or free size"
     TOOLTIP = (
-        "Fix the length of the edges selected in 3D, to type it anew among the model's dimensions; "
-        "fixed ones follow the drawing again"
+        "Fix the length of edges, the diameter of circles or the height of vertices selected in "
+        "3D, to type it anew among the model's dimensions; fixed ones follow the drawing again"
     )
     SHORTCUT = "I, F"
     NEEDS = ("numpy", "scipy")
 
     def IsActive(self) -> bool:  # noqa: N802  FreeCAD's name
-        """With edges of a lifted model selected."""
-        return bool(_selected_edges())
+        """With edges or vertices of a lifted model selected."""
+        return bool(_selected_elements())
 
     def run(self) -> None:
         """See the class."""
-        from ..features.dimensions import edge_at
+        from ..features.picking import dimension_at
 
-        for model, elements in _selected_edges():
-            edges = [edge_at(model, element) for element in elements]
-            if None in edges:
+        for model, elements in _selected_elements():
+            found = [dimension_at(model, element) for element in elements]
+            if None in found:
                 words = (
-                    "edges of the mirrored half follow those that are drawn: select one of these"
+                    "what lies on the ground has no height, and what is mirrored follows what is "
+                    "drawn: select something else"
                 )
                 raise CommandError(host.translate("InContext", words))
-            fix_or_free(model, list(dict.fromkeys(edge for edge in edges if edge)))
+            fix_or_free(model, list(dict.fromkeys(one for one in found if one)))
 
 
-def fix_or_free(model: Any, edges: list[str]) -> None:
-    """Have lengths drive; or follow again, where all of them drive already."""
-    from ...solver.dimensions import driving_sizes_mm, sizes_mm
+def fix_or_free(model: Any, dimensions: list[Dimension]) -> None:
+    """Have dimensions drive; or follow again, where all of them drive already.
+
+    Raises
+    ------
+    SketchError
+        Where the sketch has no words for one of them.
+    """
     from ..features import pipeline
+    from ..features.dimension_names import driving, measured
     from ..features.dimensions import drive
     from ..features.lifted_model import solution_of
 
-    said = driving_sizes_mm(pipeline.graph_of(model.PhotoSketch.Sketch))
-    measured = sizes_mm(solution_of(model))
-    free = all(edge in said for edge in edges)
+    graph = pipeline.graph_of(model.PhotoSketch.Sketch)
+    said, sizes = driving(graph), measured(graph, solution_of(model))
+    free = all(dimension in said for dimension in dimensions)
     document = model.Document
-    words = "Free length" if free else "Fix length"
+    words = "Free size" if free else "Fix size"
     with host.transaction(document, host.translate("InContext", words)):
-        for edge in edges:
+        for one in dimensions:
             # What was drawn is no round number: nobody means billionths of a millimetre.
-            drive(model, edge, None if free else said.get(edge, round(measured[edge], 6)))
+            drive(model, one, None if free else said.get(one, round(sizes[one], 6)))
         document.recompute()
 
 
-def _selected_edges() -> list[tuple[Any, tuple[str, ...]]]:
-    """Lifted models with their selected edges."""
+def _selected_elements() -> list[tuple[Any, tuple[str, ...]]]:
+    """Lifted models with their selected edges and vertices."""
     chosen = [
-        (one.Object, tuple(name for name in one.SubElementNames if name.startswith("Edge")))
+        (one.Object, tuple(n for n in one.SubElementNames if n.startswith(("Edge", "Vertex"))))
         for one in FreeCADGui.Selection.getSelectionEx()
         if is_lifted_model(one.Object)
     ]

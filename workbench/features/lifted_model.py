@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 from .. import host
 from ..problems import in_words, known_problems
 from . import pipeline
-from .dimensions import driven_text, is_dimension, show_dimensions, take_edit
+from .dimension_names import is_dimension
+from .dimensions import driven_text, show_dimensions, take_edit
 from .properties import OUTCOME, Editor, Property, fail, set_outcome
 from .proxy import Proxy, is_of_type
 

@@ -12,6 +12,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from .. import host
+from .dimension_names import Dimension, said
 
 if TYPE_CHECKING:
     from ...solver import Drag
@@ -35,14 +36,13 @@ def graph_of(sketch_text: str) -> SketchGraph:
 
 
 @lru_cache(maxsize=REMEMBERED)
-def resized_text(sketch_text: str, sizes_mm: tuple[tuple[str, float], ...]) -> str:
-    """The sketch's text with other sizes said of some edges and circles; raises SketchError."""
-    from ...solver.dimensions import set_size
+def resized_text(sketch_text: str, values: tuple[tuple[Dimension, float], ...]) -> str:
+    """The sketch's text with other values said of some dimensions; raises SketchError."""
     from ...solver.serialise import sketch_to_text
 
     graph = graph_of(sketch_text)
-    for id_, size_mm in sizes_mm:
-        graph = set_size(graph, id_, size_mm)
+    for dimension, value in values:
+        graph = said(graph, dimension, value)
     return sketch_to_text(graph)
 
 

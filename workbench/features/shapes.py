@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 def solution_shape(solution: Solution, graph: SketchGraph) -> Any:
-    """A compound of the lifted faces, and of the edges that belong to none of them.
+    """A compound of the lifted faces, of the edges that belong to none of them, and of circles.
 
     Faces left out and things traced on the photo (construction) are not part of it.
     """
@@ -34,6 +34,10 @@ def solution_shape(solution: Solution, graph: SketchGraph) -> Any:
         # A mirrored edge `e7@a5` is construction where `e7` is.
         if id_.split("@")[0] not in graph.construction and _pair(*ends) not in drawn:
             parts.append(Part.makeLine(*_points(ends, solution)))
+    for id_, circle in solution.circles.items():
+        if id_.split("@")[0] not in graph.construction:
+            center = FreeCAD.Vector(*(float(x) for x in circle.center_mm))
+            parts.append(Part.makeCircle(float(circle.radius_mm), center))
     return Part.makeCompound(parts)
 
 

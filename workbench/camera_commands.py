@@ -98,21 +98,20 @@ def _camera(arguments: argparse.Namespace) -> int:
     from ..solver.errors import SketchError
     from ..solver.files import write_files
     from ..solver.serialise import sketch_to_text
-    from .marker_finding import camera_of_photo
+    from .marker_finding import camera_of_corners, seen_corners
 
     is_photo = arguments.input.suffix.lower() in _PICTURES
     graph, grey = (_of_photo if is_photo else _of_sketch)(arguments.input)
     photo = _photo_of(graph, arguments.focal)
     try:
-        found = camera_of_photo(
-            photo, grey, arguments.size, arguments.corners, exactly=arguments.exactly
-        )
+        seen = seen_corners(photo, grey, arguments.corners, exactly=arguments.exactly)
     except ModuleNotFoundError as error:
         raise SketchError(
             f"the marker is found by OpenCV, which is not installed ({error.name})",
             (),
             "pip install opencv-python-headless, or tell the four --corners",
         ) from error
+    found = camera_of_corners(photo, seen, arguments.size)
     graph = replace(graph, photo=photo, camera=found.view.camera)
     output = arguments.output or (None if is_photo else arguments.input)
     if output is None:
@@ -179,11 +178,11 @@ def camera_words(found: Found, photo: Photo) -> list[str]:
     view = found.view
     focal_35mm = view.camera.focal_px / max(photo.width_px, photo.height_px) * 36
     height = float(view.camera.position_mm[2])
-    seen = "corners found in the photo" if found.sides else "corners as told"
+    seen = "corners found in the photo" if found.seen.sides else "corners as told"
     return [
         f"camera: {focal_35mm:.0f} mm equivalent ({view.camera.focal_px:.0f} px, good to "
         f"{100 * view.focal_sigma:.1f} %), {height:.0f} mm above the ground",
         f"{seen}, met to {view.misfit_px:.2f} px; heights beside it are good to "
         f"{100 * view.size_sigma:.1f} %",
-        *(f"note: {note}" for note in (*found.notes, *view.notes)),
+        *(f"note: {note}" for note in found.notes),
     ]

@@ -33,14 +33,39 @@ NOT_SEEN = (
 _FOUND_REACH_PX = 4.0
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class SeenCorners:
+    """Four corners as they are seen in the photo.
+
+    Parameters
+    ----------
+    corners_px : (4, 2) array
+        Counterclockwise.
+    sigma_px : float
+        Standard error of a coordinate.
+    sides : tuple of FoundLine
+        The straight edges that they were found by; none where they are as told.
+    notes : tuple of str
+        What a person should know of it, a sentence each.
+    """
+
+    corners_px: Array
+    sigma_px: float
+    sides: tuple[FoundLine, ...] = ()
+    notes: tuple[str, ...] = ()
+
+
 @dataclass(frozen=True, slots=True)
 class Found:
-    """A camera, and the straight edges in the photo that led to it (none where none was seen)."""
+    """A camera, and the corners that led to it."""
 
     view: RectangleView
-    sides: tuple[FoundLine, ...] = ()
-    #: What a person should know of how the corners were found, a sentence each.
-    notes: tuple[str, ...] = ()
+    seen: SeenCorners
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What a person should know of it, a sentence each."""
+        return (*self.seen.notes, *self.view.notes)
 
 
 def marker_corners(grey: Array) -> Array:
@@ -80,15 +105,14 @@ def marker_corners(grey: Array) -> Array:
     return np.asarray(own[0], dtype=float).reshape(4, 2) + 0.5
 
 
-def camera_of_photo(
+def seen_corners(
     photo: Photo,
     grey: Array | None,
-    size_mm: tuple[float, float],
-    corners_px: Sequence[Point] | None = None,
+    corners_px: Sequence[Point] | Array | None,
     *,
     exactly: bool = False,
-) -> Found:
-    """The camera from a rectangle in the photo, its corners found to a fraction of a pixel.
+) -> SeenCorners:
+    """Corners of a rectangle, found to a fraction of a pixel where the photo shows its sides.
 
     Parameters
     ----------
@@ -96,32 +120,33 @@ def camera_of_photo(
     grey : (height, width) array or None
         The upright photo's brightness; None where its file is missing: then the corners are
         taken as they are told.
-    size_mm : (float, float)
-    corners_px : four (u, v), optional
-        In any order; without them the printed marker is looked for.
+    corners_px : four (u, v), or None
+        In any order; None has the printed marker looked for.
     exactly : bool
         Take the corners as they are told.
 
     Raises
     ------
     SketchError
-        As `marker_corners` and `camera_from_rectangle`.
+        Where there is no such rectangle.
     ModuleNotFoundError
         Where the marker is to be looked for, and OpenCV is not installed.
     """
-    if corners_px is None:
-        if grey is None:
-            raise SketchError("without the photo no marker can be found", (), "tell the corners")
-        near, reach_px = marker_corners(grey), _FOUND_REACH_PX
+    longer = max(photo.width_px, photo.height_px)
+    if corners_px is not None:
+        ring, reach_px = ring_of(np.asarray(corners_px, dtype=float)), CLICK_REACH * longer
+    elif grey is not None:
+        ring, reach_px = ring_of(marker_corners(grey)), _FOUND_REACH_PX
     else:
-        near = np.asarray(corners_px, dtype=float)
-        reach_px = CLICK_REACH * max(photo.width_px, photo.height_px)
-    ring = ring_of(near)
+        raise SketchError("without the photo no marker can be found", (), "tell the corners")
     seen = None if exactly or grey is None else refined_corners(grey, ring, reach_px)
-    if seen is None:
-        sigma_px = max(TRACED_SIGMA_PX, CLICK_SIGMA * max(photo.width_px, photo.height_px))
-        view = camera_from_rectangle(photo, ring, size_mm, corner_sigma_px=sigma_px)
-        return Found(view, (), () if exactly or grey is None else (NOT_SEEN,))
-    sigma_px = max(LEAST_SIGMA_PX, seen.sigma_px)
-    view = camera_from_rectangle(photo, seen.corners_px, size_mm, corner_sigma_px=sigma_px)
-    return Found(view, seen.sides)
+    if seen is not None:
+        return SeenCorners(seen.corners_px, max(LEAST_SIGMA_PX, seen.sigma_px), seen.sides)
+    notes = () if exactly or grey is None else (NOT_SEEN,)
+    return SeenCorners(ring, max(TRACED_SIGMA_PX, CLICK_SIGMA * longer), (), notes)
+
+
+def camera_of_corners(photo: Photo, seen: SeenCorners, size_mm: tuple[float, float]) -> Found:
+    """The camera that sees a rectangle of this size so, see `camera_from_rectangle`."""
+    corners, sigma_px = seen.corners_px, seen.sigma_px
+    return Found(camera_from_rectangle(photo, corners, size_mm, corner_sigma_px=sigma_px), seen)

@@ -17,7 +17,7 @@ from xml.sax.saxutils import escape
 
 from ..solver.errors import SketchError
 from . import host
-from .fabrication.pdf import POINTS_PER_MM, pdf_file
+from .fabrication.pdf_file import POINTS_PER_MM, pdf_file
 
 #: The pattern, row by row from the top; 1 is white.
 PATTERN = ("1011", "0101", "0011", "0010")
@@ -170,8 +170,7 @@ def _svg_box(box: Box) -> str:
 
 def _pdf_content(page: _Page) -> bytes:
     tall = page.size_mm[1]
-    scale = _number(POINTS_PER_MM) if POINTS_PER_MM.is_integer() else f"{POINTS_PER_MM:.9f}"
-    lines = [f"{scale} 0 0 {scale} 0 0 cm".encode()]
+    lines = [f"{POINTS_PER_MM:.9f} 0 0 {POINTS_PER_MM:.9f} 0 0 cm".encode()]
     for grey, boxes in (("0 g", (page.black,)), ("1 g", page.white), ("0 g", page.bars)):
         lines.append(f"{grey} {' '.join(_pdf_box(box, tall) for box in boxes)} f".encode())
     for words in page.words:

@@ -13,17 +13,36 @@ import shutil
 import sys
 import tomllib
 from pathlib import Path
+from typing import Any
 
 from . import host
 
 #: Packages whose import name is another one.
-_IMPORT_NAMES = {"pillow": "PIL"}
+_IMPORT_NAMES = {"pillow": "PIL", "opencv-python-headless": "cv2"}
+#: What is asked for only where it is used, as `pyproject.toml` calls these groups.
+_OPTIONAL = ("marker",)
 
 
 def missing_requirements() -> tuple[str, ...]:
     """What pip has to install, such as ``cadquery>=2.8``: the packages that are not there."""
-    project = tomllib.loads((host.ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    return tuple(wanted for wanted in project["dependencies"] if not _is_there(wanted))
+    return tuple(wanted for wanted in _project()["dependencies"] if not _is_there(wanted))
+
+
+def requirements_for(import_name: str) -> tuple[str, ...]:
+    """What pip has to install so that something can be imported: all that is missing, or what is
+    needed for this alone.
+    """
+    groups = _project()["optional-dependencies"]
+    for wanted in (w for group in _OPTIONAL for w in groups[group]):
+        if _import_name(wanted) == import_name:
+            return (wanted,)
+    return missing_requirements() or (import_name,)
+
+
+def _project() -> dict[str, Any]:
+    text = (host.ROOT / "pyproject.toml").read_text(encoding="utf-8")
+    project: dict[str, Any] = tomllib.loads(text)["project"]
+    return project
 
 
 def package_name(requirement: str) -> str:
@@ -32,9 +51,13 @@ def package_name(requirement: str) -> str:
     return match[0] if match else requirement
 
 
-def _is_there(requirement: str) -> bool:
+def _import_name(requirement: str) -> str:
     name = package_name(requirement)
-    return importlib.util.find_spec(_IMPORT_NAMES.get(name, name)) is not None
+    return _IMPORT_NAMES.get(name, name)
+
+
+def _is_there(requirement: str) -> bool:
+    return importlib.util.find_spec(_import_name(requirement)) is not None
 
 
 def require(import_names: tuple[str, ...]) -> None:

@@ -10,6 +10,7 @@ from .photo_edges import Patch, photo_snap
 from .snapping import Snap, SnapKind
 
 if TYPE_CHECKING:
+    from ...solver.camera import Camera
     from ...solver.graph import Point, SketchGraph
     from .solved import Solved
 
@@ -35,8 +36,13 @@ class Attraction:
 
     def grid(self, graph: SketchGraph, solved: Solved | None) -> GroundGrid | None:
         """The grid, where it is shown and a camera is known."""
+        if not self.grid_shown:
+            return None
+        if solved is not None and not _is_same(graph.camera, solved.graph.camera):
+            # It is of another world.
+            solved = None
         camera = graph.camera if solved is None else solved.solution.camera
-        if not self.grid_shown or camera is None:
+        if camera is None:
             return None
         if self._grid is None or self._grid[0] != (camera, solved):
             points = [] if solved is None else list(solved.solution.vertices_mm.values())
@@ -67,3 +73,10 @@ class Attraction:
         if places:
             return places[0]
         return there[0] if there and found.kind is SnapKind.FREE else found
+
+
+def _is_same(one: Camera | None, other: Camera | None) -> bool:
+    """Whether two known cameras are one, or none is known."""
+    if one is None or other is None or one is other:
+        return one is other
+    return one.to_json() == other.to_json()

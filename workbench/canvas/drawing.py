@@ -22,7 +22,7 @@ from .attraction import Attraction
 from .ground_grid import GroundGrid
 from .marks import Marks, marks_of
 from .preview import Preview, Selection
-from .questions import About, Question
+from .questions import About, KnownRectangle, Question
 from .snapping import Snap
 from .solved import Solved, face_choices
 from .tools import TOOLS
@@ -35,11 +35,15 @@ def _nothing(*_: object) -> None:
 
 @dataclass(slots=True)
 class Listener:
-    """Who is told: of an edit, of anything to be painted anew, of what is to be asked."""
+    """Who is told: of an edit, of anything to be painted anew, of what is to be asked.
+
+    And of a rectangle of known size in the photo; None has the printed marker looked for.
+    """
 
     edited: Callable[[SketchGraph, str], None] = _nothing
     changed: Callable[[], None] = _nothing
     asked: Callable[[Question], None] = _nothing
+    rectangle_told: Callable[[KnownRectangle | None], None] = _nothing
 
 
 class Drawing:
@@ -129,11 +133,25 @@ class Drawing:
     @property
     def grid(self) -> GroundGrid | None:
         """The grid on the ground, where it is shown and the perspective is known."""
-        return self.attraction.grid(self._committed, self._solved)
+        return self.attraction.grid(self._graph, self._solved)
 
     def attracted(self, found: Snap, reach_px: float) -> Snap:
         """Where a press lands: as the drawing has it, or where something else attracts it."""
         return self.attraction.attract(found, reach_px, self.grid)
+
+    @property
+    def rectangle(self) -> KnownRectangle | None:
+        """What on the ground tells the camera, as far as it is known."""
+        return self._rectangle
+
+    def set_rectangle(self, rectangle: KnownRectangle | None) -> None:
+        """Take the document's."""
+        self._rectangle = rectangle
+        self._listener.changed()
+
+    def tell_rectangle(self, rectangle: KnownRectangle | None) -> None:
+        """Have the camera found from it; None has the printed marker looked for."""
+        self._listener.rectangle_told(rectangle)
 
     def ask(self, question: Question) -> None:
         """Have a person asked."""
@@ -228,7 +246,10 @@ class Drawing:
         self._listener.changed()
 
     def delete(self) -> None:
-        """Take away what is selected."""
+        """Take away what is selected, or what the tool would take away."""
+        if self._tool.delete():
+            self._listener.changed()
+            return
         chosen = self._selection
         if chosen and self._graph is self._committed:
             smaller = delete(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from typing import TYPE_CHECKING
 
@@ -61,3 +61,24 @@ def about_annotation(graph: SketchGraph, id_: str) -> Question | None:
     if annotation.kind == "length":
         return about_edge(graph, annotation.edge)
     return about_circle(graph, annotation.circle) if annotation.kind == "diameter" else None
+
+
+@dataclass(frozen=True, slots=True)
+class KnownRectangle:
+    """Something flat on the ground whose size is known: it tells where the camera was.
+
+    Parameters
+    ----------
+    corners_px : four (u, v)
+        In order around; none forgets the camera.
+    size_mm : (float, float) or None
+        Its sides; None where a person has still to say them.
+    """
+
+    corners_px: tuple[Point, ...]
+    size_mm: tuple[float, float] | None = None
+
+    def with_corner(self, k: int, point_px: Point) -> KnownRectangle:
+        """The same with one corner elsewhere."""
+        corners = (*self.corners_px[:k], point_px, *self.corners_px[k + 1 :])
+        return replace(self, corners_px=corners)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from . import keys, overlay, previews, style, symbols, turning
@@ -26,8 +27,10 @@ from .tools.base import Pointer
 
 if TYPE_CHECKING:
     from ...solver.annotations import Annotation
+    from ...solver.camera import Camera
     from ...solver.graph import Point, SketchGraph
     from .attraction import Attraction
+    from .questions import KnownRectangle
     from .solved import Solved
 
 _Qt = QtCore.Qt
@@ -57,6 +60,8 @@ class SketchView(PhotoView):
         Something that helps the hand was switched on or off.
     photo_given(object)
         A photo was dropped or pasted: its Path, or a QImage.
+    rectangle_told(object)
+        The camera is wanted: a KnownRectangle, or None to look for the printed marker.
     """
 
     graph_edited = QtCore.Signal(object, str)
@@ -68,6 +73,8 @@ class SketchView(PhotoView):
     selection_changed = QtCore.Signal(object)
     helpers_changed = QtCore.Signal()
     photo_given = QtCore.Signal(object)
+
+    rectangle_told = QtCore.Signal(object)
 
     def __init__(
         self,
@@ -87,7 +94,9 @@ class SketchView(PhotoView):
         self._lifted = LiftedView()
         self._ghosts = Ghosts()
         self._told: tuple[SketchGraph, Selection] = (graph, Selection())
-        listener = Listener(self.graph_edited.emit, self._refresh, self._ask)
+        listener = Listener(
+            self.graph_edited.emit, self._refresh, self._ask, self.rectangle_told.emit
+        )
         self._drawing = Drawing(graph, listener)
         self._drawing.attraction.patch = self.grey_around
         self._editor = LengthEditor(self.viewport(), self._drawing.answer)
@@ -123,6 +132,17 @@ class SketchView(PhotoView):
     def lifted(self) -> LiftedView:
         """Where the lifted shape lies in the photo."""
         return self._lifted
+
+    def set_rectangle(self, rectangle: KnownRectangle | None) -> None:
+        """Take what on the ground tells the camera, to be shown and dragged by its tool."""
+        self._drawing.set_rectangle(rectangle)
+
+    def show_camera(self, camera: Camera | None) -> None:
+        """Show how the ground would lie with another known camera; None goes back."""
+        if camera is None:
+            self._drawing.give_up()
+        else:
+            self._drawing.show(replace(self._drawing.committed, camera=camera))
 
     def edit(self, graph: SketchGraph, words: str) -> None:
         """Make a graph that was edited elsewhere the document's, as one step to undo."""

@@ -16,6 +16,7 @@ from .make_shell import MakeShell
 from .new_sketch import NewSketch
 from .open_example import OpenExample
 from .paste_photo import PastePhoto
+from .print_marker import PrintMarker
 from .replace_photo import ReplacePhoto
 from .view_through_photo import ViewThroughPhoto
 
@@ -26,6 +27,7 @@ COMMANDS: tuple[type[Command], ...] = (
     OpenExample,
     EditSketch,
     ReplacePhoto,
+    PrintMarker,
     ViewThroughPhoto,
     Lift,
     FixLength,

@@ -212,6 +212,19 @@ class LeaveOut(ToolCommand):
     TOOLTIP = "Click in the middle of a face that stays open, such as the front of a shelf"
 
 
+class Camera(ToolCommand):
+    """Find the camera from a rectangle."""
+
+    NAME = "InContext_ToolCamera"
+    ICON = "InContext_ToolCamera"
+    TOOL, KEY = "camera", "W"
+    MENU_TEXT = "Camera from a rectangle"
+    TOOLTIP = (
+        "Click the four corners of a printed marker, a sheet of paper or a tile on the ground: "
+        "it gives the camera and the scale"
+    )
+
+
 TOOL_COMMANDS: tuple[type[ToolCommand], ...] = (
     Select,
     Line,
@@ -229,6 +242,7 @@ TOOL_COMMANDS: tuple[type[ToolCommand], ...] = (
     Length,
     Thickness,
     LeaveOut,
+    Camera,
 )
 
 #: So many draw; the others say what is true.

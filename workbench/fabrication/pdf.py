@@ -4,15 +4,10 @@ Terms
 -----
 tile
     What of a sheet is on one page. Tiles share a strip, with marks where they go on one another.
-
-Written by hand: PDF 1.4 with nothing but lines needs no library, and gives the same bytes every
-time.
 """
 
 from __future__ import annotations
 
-import math
-import zlib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
@@ -20,12 +15,12 @@ import numpy as np
 
 from ...solver.values import Array
 from .drawing import Drawing, draw
+from .pdf_file import POINTS_PER_MM, pdf_file, plain
 from .presets import DEFAULT, Preset, load_preset
 from .settings import PAGES_MM
 from .sheets import Sheet
 from .strokes import text_strokes
 
-POINTS_PER_MM = 72 / 25.4
 HAIRLINE_MM = 0.1
 BORDER_MM = 5.0
 #: What a printer leaves white, and what two tiles share.
@@ -97,14 +92,12 @@ def _tiles(drawing: Drawing, size: tuple[float, float], number: int) -> list[_Pa
 
 
 def _content(page: _Page, drawing: Drawing, preset: Preset) -> bytes:
-    lines = [f"{_number(POINTS_PER_MM)} 0 0 {_number(POINTS_PER_MM)} 0 0 cm"]
+    lines = [f"{plain(POINTS_PER_MM)} 0 0 {plain(POINTS_PER_MM)} 0 0 cm"]
     lines += [f"{HAIRLINE_MM} w 1 j 1 J", "q"]
     border, (width, height) = page.border_mm, page.size_mm
     if page.label:
         room = (width - 2 * border, height - 2 * border)
-        lines.append(
-            f"{_number(border)} {_number(border)} {_number(room[0])} {_number(room[1])} re W n"
-        )
+        lines.append(f"{plain(border)} {plain(border)} {plain(room[0])} {plain(room[1])} re W n")
     shift = np.array([border, border]) - page.low_mm
     colour = ""
     for path in drawing.paths:
@@ -134,51 +127,9 @@ def _marks(page: _Page) -> Iterator[Array]:
 
 
 def _path(points: Array, *, closed: bool) -> str:
-    pairs = [f"{_number(x)} {_number(y)}" for x, y in points.tolist()]
+    pairs = [f"{plain(x)} {plain(y)}" for x, y in points.tolist()]
     return f"{pairs[0]} m {' '.join(f'{pair} l' for pair in pairs[1:])} {'s' if closed else 'S'}"
 
 
 def _colour(rgb: str) -> str:
-    return " ".join(_number(int(rgb[n : n + 2], 16) / 255) for n in (1, 3, 5)) + " RG"
-
-
-def _number(value: float) -> str:
-    text = f"{value:.5f}".rstrip("0").rstrip(".")
-    return "0" if text == "-0" else text
-
-
-def pdf_file(
-    pages: Sequence[tuple[tuple[float, float], bytes]], resources: bytes = b"<< >>"
-) -> bytes:
-    """A PDF file of pages.
-
-    Parameters
-    ----------
-    pages : sequence of (size, content)
-        Width and height, mm; drawing operators, in points.
-    resources : bytes
-        What the operators refer to: fonts, say.
-    """
-    kids = " ".join(f"{3 + 2 * n} 0 R" for n in range(len(pages)))
-    objects = [
-        b"<< /Type /Catalog /Pages 2 0 R /ViewerPreferences << /PrintScaling /None >> >>",
-        f"<< /Type /Pages /Kids [{kids}] /Count {len(pages)} >>".encode(),
-    ]
-    for n, (size, content) in enumerate(pages):
-        width, height = (_number(math.ceil(side * POINTS_PER_MM * 1000) / 1000) for side in size)
-        objects.append(
-            f"<< /Type /Page /Parent 2 0 R /MediaBox [0 0 {width} {height}] /Resources ".encode()
-            + resources
-            + f" /Contents {4 + 2 * n} 0 R >>".encode()
-        )
-        packed = zlib.compress(content, 9)
-        head = f"<< /Length {len(packed)} /Filter /FlateDecode >>\nstream\n".encode()
-        objects.append(head + packed + b"\nendstream")
-    data = b"%PDF-1.4\n"
-    offsets = []
-    for n, body in enumerate(objects, start=1):
-        offsets.append(len(data))
-        data += f"{n} 0 obj\n".encode() + body + b"\nendobj\n"
-    table = "".join(f"{offset:010d} 00000 n \n" for offset in offsets)
-    tail = f"trailer\n<< /Size {len(objects) + 1} /Root 1 0 R >>\nstartxref\n{len(data)}\n%%EOF\n"
-    return data + f"xref\n0 {len(objects) + 1}\n0000000000 65535 f \n{table}{tail}".encode()
+    return " ".join(plain(int(rgb[n : n + 2], 16) / 255) for n in (1, 3, 5)) + " RG"

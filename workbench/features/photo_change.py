@@ -31,9 +31,11 @@ def replace_photo(obj: Any, path: Path, size_px: tuple[int, int]) -> None:
     """
     from ...solver.serialise import sketch_to_text
 
-    graph = with_photo(pipeline.graph_of(obj.Sketch), path.name, size_px, focal_length_px(path))
+    before = pipeline.graph_of(obj.Sketch)
+    graph = with_photo(before, path.name, size_px, focal_length_px(path))
     with host.transaction(obj.Document, host.translate("InContext", "Replace photo")):
         obj.Photo = str(path)
+        obj.Marker = _marker_text(obj, before, graph)
         obj.Sketch = sketch_to_text(graph)
         obj.Document.recompute()
 
@@ -54,6 +56,21 @@ def with_photo(
         return replace(graph, photo=photo)
     across, down = width / before.width_px, height / before.height_px
     factor = across if abs(across - down) < SAME_VIEW * across else 1.0
-    if focal_px is None and factor == across and before.focal_px is not None:
+    if factor != across:
+        # Where the camera was is known of the old photo only.
+        return replace(graph, photo=photo, camera=None)
+    if focal_px is None and before.focal_px is not None:
         photo = replace(photo, focal_px=factor * before.focal_px)
     return replace(scaled(graph, factor), photo=photo)
+
+
+def _marker_text(obj: Any, before: SketchGraph, after: SketchGraph) -> str:
+    """What tells the camera, on the other photo."""
+    from .known_rectangle import marker_text, rectangle_of
+
+    told = rectangle_of(obj.Marker)
+    if told is None or after.camera is None or before.photo is None or after.photo is None:
+        return ""
+    corners, size_mm = told
+    factor = after.photo.width_px / before.photo.width_px
+    return marker_text([(factor * u, factor * v) for u, v in corners], size_mm)

@@ -30,6 +30,13 @@ class PhotoSketch(Proxy):
             # Thousands of characters: nothing to read or type in the property editor.
             editor=Editor.HIDDEN,
         ),
+        Property(
+            "App::PropertyString",
+            "Marker",
+            "Sketch",
+            "What in the photo tells the camera: four corners in px, and the sides in mm",
+            editor=Editor.HIDDEN,
+        ),
         *OUTCOME,
     )
 

@@ -7,8 +7,9 @@ from pathlib import Path
 import FreeCADGui
 
 from .. import host
+from ..canvas.lengths import exact_text, parse_length
 from ..canvas.photo import readable_formats
-from ..canvas.qt import QtGui
+from ..canvas.qt import QtCore, QtGui
 
 _LAST_FOLDER = "LastFolder"
 
@@ -30,6 +31,29 @@ def photo_kinds() -> str:
 def ask_for_folder(title: str) -> Path | None:
     """A folder to write into, or None."""
     return _remembered(QtGui.QFileDialog.getExistingDirectory(_window(), title, _last_folder()))
+
+
+def ask_for_new_file(title: str, kinds: str, name: str) -> Path | None:
+    """A file to write, or None; where the name has no ending, that of the kind."""
+    suggested = str(Path(_last_folder(), name))
+    found, kind = QtGui.QFileDialog.getSaveFileName(_window(), title, suggested, kinds)
+    path = _remembered(found)
+    if path is None or path.suffix:
+        return path
+    return path.with_suffix(kind[kind.find("*") + 1 :].rstrip(")"))
+
+
+def ask_for_length(title: str, words: str, usual_mm: float) -> float | None:
+    """A length in mm, or None."""
+    text, was_said = QtGui.QInputDialog.getText(
+        _window(), title, words, QtGui.QLineEdit.Normal, exact_text(usual_mm)
+    )
+    return parse_length(text) if was_said else None
+
+
+def show_file(path: Path) -> None:
+    """Open a file with the system's own program for it."""
+    QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(str(path)))
 
 
 def _window() -> QtGui.QWidget:

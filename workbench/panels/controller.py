@@ -23,6 +23,7 @@ from ..features.photo_change import replace_photo
 from ..features.plate_set import is_plate_set
 from ..features.shelled_solid import is_shelled_solid
 from ..problems import known_problems
+from .camera_finding import CameraFinding
 from .clipboard import photo_file
 from .lifting import Lifting
 from .messages import tell
@@ -68,6 +69,7 @@ class SketchController:
         self.photo_loading.came.connect(self._take_photo_level)
         self.photo_loading.failed.connect(host.report)
         self.lifting.lifted.connect(self._show_lift)
+        self.camera_finding = CameraFinding(obj, self.tab.view)
         self._show_photo()
         self.show_outcome()
 
@@ -116,6 +118,8 @@ class SketchController:
             self._show_sketch()
         elif name == "Photo":
             self._show_photo()
+        elif name == "Marker":
+            self.camera_finding.show()
 
     def take_photo(self, given: object) -> None:
         """Put a photo that was dropped or pasted under the sketch."""

@@ -44,7 +44,7 @@ class InstallDialog(QtGui.QDialog):
             host.translate(
                 "InContext",
                 "This needs Python packages that are not installed: {}.\n"
-                "They are put into FreeCAD's own folder, and may take some minutes and 2 GB.",
+                "They are put into FreeCAD's own folder, and may take some minutes and up to 2 GB.",
             ).format(", ".join(names))
         )
         self._words.setWordWrap(True)
@@ -163,7 +163,7 @@ def offer_to_install(error: ModuleNotFoundError) -> bool:
 
     from .. import packages
 
-    wanted = packages.missing_requirements() or (str(error.name).split(".")[0],)
+    wanted = packages.requirements_for(str(error.name).split(".")[0])
     dialog = InstallDialog(
         [packages.package_name(one) for one in wanted],
         packages.install_command(wanted),

@@ -33,6 +33,15 @@ SENTENCES = (
     "No 3D shape fits this drawing; check the annotations against it.",
     "The sketch has no edges: draw the object's edges over the photo.",
     "All vertices lie on one line: draw edges in at least two directions.",
+    "No straight edges are seen between the corners, which are taken as they are: place them well.",
+    "The rectangle is seen too square-on to tell the focal length, which is good to {} % only: "
+    "take the photo from lower down, or keep its EXIF data.",
+    "Seen from straight above, heights are hardly to be told: take the photo from lower down.",
+    "Heights are good to {} % only: have the rectangle larger in the photo.",
+    "The corners do not tell which way the ground leans: have the rectangle larger in the photo, "
+    "and check the grid on the ground.",
+    "The corners do not tell which side is the longer one: check the grid on the ground, or keep "
+    "the photo's EXIF data.",
 )
 #: The words between the last two ids of a list.
 JOINTS = ("and", "or")

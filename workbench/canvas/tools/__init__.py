@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from .base import Tool
 from .box import BoxTool
+from .camera import CameraTool
 from .circle import CircleTool
 from .equal_length import EqualLengthTool
 from .faces import LeaveOutTool, ThicknessTool
@@ -39,6 +40,7 @@ TOOLS: dict[str, type[Tool]] = {
         LengthTool,
         ThicknessTool,
         LeaveOutTool,
+        CameraTool,
     )
 }
 

@@ -93,6 +93,10 @@ class Tool:
         """Give up what was begun; False where there was nothing."""
         return False
 
+    def delete(self) -> bool:
+        """Take away what the tool is about; False where it is about nothing."""
+        return False
+
     def graph_replaced(self) -> None:
         """The graph came from elsewhere: by undo, say."""
         self.cancel()

@@ -1,0 +1,112 @@
+"""From a rectangle that was clicked in the photo, or the printed marker, to the known camera."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import host
+from ..canvas.photo import PhotoError, load_photo
+from ..canvas.qt import QtCore, QtGui
+from ..canvas.questions import KnownRectangle
+from ..features import pipeline
+from ..features.known_rectangle import marker_text, rectangle_of, set_camera
+from ..problems import in_words, known_problems
+from .messages import tell
+
+if TYPE_CHECKING:
+    from ...solver.graph import Photo
+    from ...solver.values import Array
+    from ..canvas.view import SketchView
+    from ..marker_finding import SeenCorners
+
+
+class CameraFinding:
+    """Serves the camera tool of one tab.
+
+    Parameters
+    ----------
+    obj : FreeCAD document object
+        The photo sketch.
+    view : SketchView
+    """
+
+    def __init__(self, obj: Any, view: SketchView) -> None:
+        self._obj = obj
+        self._view = view
+        view.rectangle_told.connect(self._take)
+        self.show()
+
+    def show(self) -> None:
+        """Show the tool what the document knows."""
+        told = rectangle_of(self._obj.Marker)
+        self._view.set_rectangle(None if told is None else KnownRectangle(*told))
+
+    def _take(self, told: KnownRectangle | None) -> None:
+        # Not within the mouse's own event: a window that waits must not stand in its way.
+        QtCore.QTimer.singleShot(0, lambda: self._find(told))
+
+    def _find(self, told: KnownRectangle | None) -> None:
+        graph = pipeline.graph_of(self._obj.Sketch)
+        if told is not None and not told.corners_px:
+            set_camera(self._obj, replace(graph, camera=None), "")
+            return
+        if graph.photo is None:
+            tell(host.translate("InContext", "There is no photo: choose one first."))
+            return
+        try:
+            seen = self._seen(graph.photo, told)
+            if seen is not None:
+                self._settle(graph.photo, seen, told)
+        except (PhotoError, *known_problems()) as error:
+            tell(in_words(error))
+
+    def _seen(self, photo: Photo, told: KnownRectangle | None) -> SeenCorners | None:
+        """The corners as the photo shows them; None where OpenCV was not wanted."""
+        from ..marker_finding import seen_corners
+        from .installing import offer_to_install
+
+        corners = None if told is None else told.corners_px
+        QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
+        try:
+            grey = self._grey(photo)
+            return seen_corners(photo, grey, corners)
+        except ModuleNotFoundError as error:
+            missing = error
+        finally:
+            QtGui.QApplication.restoreOverrideCursor()
+        return seen_corners(photo, grey, corners) if offer_to_install(missing) else None
+
+    def _grey(self, photo: Photo) -> Array | None:
+        """The photo's brightness, at the size that the sketch knows."""
+        if not self._obj.Photo:
+            return None
+        image = load_photo(self._obj.Photo).convertToFormat(QtGui.QImage.Format_Grayscale8)
+        if (image.width(), image.height()) != (photo.width_px, photo.height_px):
+            image = image.scaled(
+                QtCore.QSize(photo.width_px, photo.height_px),
+                QtCore.Qt.IgnoreAspectRatio,
+                QtCore.Qt.SmoothTransformation,
+            )
+        rows = np.frombuffer(image.constBits(), dtype=np.uint8).reshape(-1, image.bytesPerLine())
+        return rows[:, : image.width()].astype(np.float64)
+
+    def _settle(self, photo: Photo, seen: SeenCorners, told: KnownRectangle | None) -> None:
+        """Ask for the size where it is not known, and write the camera."""
+        from ..marker_finding import camera_of_corners
+        from .rectangle_dialog import RectangleDialog
+
+        size_mm = None if told is None else told.size_mm
+        if size_mm is None:
+            dialog = RectangleDialog(photo, seen, self._view, is_marker=told is None)
+            if not dialog.exec_() or dialog.found is None:
+                return
+            found, size_mm = dialog.found, dialog.size_mm
+        else:
+            found = camera_of_corners(photo, seen, size_mm)
+        graph = replace(pipeline.graph_of(self._obj.Sketch), camera=found.view.camera)
+        set_camera(self._obj, graph, marker_text(found.view.corners_px.tolist(), size_mm))
+        if not self._view.attraction.grid_shown:
+            self._view.toggle_grid()

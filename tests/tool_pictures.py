@@ -187,6 +187,16 @@ def annotating_tools(shelf):
     p.move(p.middle("v5", "v6", "v10", "v9")).save("leave_out")
 
 
+def camera_tool(shelf):
+    """The tool that finds the camera."""
+    from incontext.solver.graph import SketchGraph
+
+    p = Picture(SketchGraph(photo=shelf.photo), SHELF, solved=False).use("camera")
+    for name in ("v1", "v2", "v3"):
+        p.click(shelf.vertices[name])
+    p.move(shelf.vertices["v4"]).save("camera")
+
+
 def _without_length(shelf):
     return {id_: a for id_, a in shelf.annotations.items() if a.kind != "length"}
 
@@ -199,6 +209,7 @@ def pictures(arguments) -> int:
     FOLDER.mkdir(exist_ok=True)
     drawing_tools(shelf)
     annotating_tools(shelf)
+    camera_tool(shelf)
     return 0
 
 

@@ -20,6 +20,18 @@
         <translation>Ein Bücherregal, über das Foto eines Tisches gezeichnet, bis hin zu den Platten</translation>
     </message>
     <message>
+        <source>A lens of {0:.0f} mm (equivalent), {1:.0f} mm above the ground; heights are good to {2:.1f} %.</source>
+        <translation>Ein Objektiv von {0:.0f} mm (Kleinbild), {1:.0f} mm über dem Boden; Höhen stimmen auf {2:.1f} %.</translation>
+    </message>
+    <message>
+        <source>A4 sheet</source>
+        <translation>Blatt A4</translation>
+    </message>
+    <message>
+        <source>A5 sheet</source>
+        <translation>Blatt A5</translation>
+    </message>
+    <message>
         <source>All files</source>
         <translation>Alle Dateien</translation>
     </message>
@@ -40,12 +52,20 @@
         <translation>Wie das Rechteck, mit vier gleichen Seiten</translation>
     </message>
     <message>
+        <source>Bank card</source>
+        <translation>Bankkarte</translation>
+    </message>
+    <message>
         <source>Between two plates</source>
         <translation>Zwischen zwei Platten</translation>
     </message>
     <message>
         <source>Box</source>
         <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Camera from a rectangle</source>
+        <translation>Kamera aus einem Rechteck</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -184,8 +204,20 @@
         <translation>Ende der Linie anklicken; Rechtsklick beendet; Strg: ohne Fang, Umschalt: Kreuzungen</translation>
     </message>
     <message>
+        <source>Click the four corners of a printed marker, a sheet of paper or a tile on the ground: it gives the camera and the scale</source>
+        <translation>Die vier Ecken einer gedruckten Marke, eines Blatts Papier oder einer Fliese am Boden anklicken: das ergibt Kamera und Maßstab</translation>
+    </message>
+    <message>
+        <source>Click the four corners of something flat on the ground whose size you know, or press the key again to find the printed marker</source>
+        <translation>Die vier Ecken von etwas Flachem am Boden anklicken, dessen Größe bekannt ist; die Taste noch einmal sucht die gedruckte Marke</translation>
+    </message>
+    <message>
         <source>Click the front corner on the ground</source>
         <translation>Vordere Ecke am Boden anklicken</translation>
+    </message>
+    <message>
+        <source>Click the last corner</source>
+        <translation>Die letzte Ecke anklicken</translation>
     </message>
     <message>
         <source>Click the middle of an edge that the plane halves; Shift-click picks one by one</source>
@@ -194,6 +226,14 @@
     <message>
         <source>Click the middle of an edge that the plane halves; what is hidden behind is added</source>
         <translation>Die Mitte einer Kante anklicken, die die Ebene halbiert; Verdecktes wird ergänzt</translation>
+    </message>
+    <message>
+        <source>Click the next corner; three are left</source>
+        <translation>Die nächste Ecke anklicken; drei fehlen noch</translation>
+    </message>
+    <message>
+        <source>Click the next corner; two are left</source>
+        <translation>Die nächste Ecke anklicken; zwei fehlen noch</translation>
     </message>
     <message>
         <source>Click the right corner on the ground</source>
@@ -266,6 +306,10 @@
     <message>
         <source>Drag a box around a horizontal circle as it is seen; pull its four grips afterwards</source>
         <translation>Rahmen um einen waagrechten Kreis ziehen, wie er erscheint; danach an den vier Griffen ziehen</translation>
+    </message>
+    <message>
+        <source>Drag a corner to move it, Delete forgets the camera, four clicks elsewhere begin anew</source>
+        <translation>Ecke ziehen verschiebt sie, Entf vergisst die Kamera, vier Klicks daneben beginnen neu</translation>
     </message>
     <message>
         <source>Drag from one corner of the rectangle to the opposite one; move corners afterwards</source>
@@ -376,6 +420,10 @@
         <translation>Flächen sind bekannt, sobald die Skizze gelöst ist: die Zeile unten sagt, was fehlt</translation>
     </message>
     <message>
+        <source>Find camera</source>
+        <translation>Kamera finden</translation>
+    </message>
+    <message>
         <source>Fit check</source>
         <translation>Passungsprüfung</translation>
     </message>
@@ -408,6 +456,10 @@
         <translation>Für die Zeit, in mm/s</translation>
     </message>
     <message>
+        <source>Forget camera</source>
+        <translation>Kamera vergessen</translation>
+    </message>
+    <message>
         <source>Free border of a sheet</source>
         <translation>Freier Rand eines Bogens</translation>
     </message>
@@ -438,6 +490,10 @@
     <message>
         <source>Height above the ground of {}</source>
         <translation>Höhe über dem Boden von {}</translation>
+    </message>
+    <message>
+        <source>Heights are good to {} % only: have the rectangle larger in the photo.</source>
+        <translation>Höhen stimmen nur auf {} %: das Rechteck größer ins Foto nehmen.</translation>
     </message>
     <message>
         <source>How far the triangles of exported files may leave curved surfaces</source>
@@ -492,8 +548,16 @@
         <translation>Wird installiert …</translation>
     </message>
     <message>
+        <source>It is</source>
+        <translation>Es ist</translation>
+    </message>
+    <message>
         <source>Its sizes are unsure: mark more, give a length, or trace something real in the photo.</source>
         <translation>Die Maße sind unsicher: mehr angeben, eine Länge nennen oder etwas Wirkliches im Foto nachzeichnen.</translation>
+    </message>
+    <message>
+        <source>Lay the sheet flat on the ground where the new object will stand, and take the photo.</source>
+        <translation>Das Blatt flach dorthin legen, wo das neue Ding stehen wird, und das Foto machen.</translation>
     </message>
     <message>
         <source>Layers and colours in files: a shop's or program's name, or your own .json file</source>
@@ -522,6 +586,10 @@
     <message>
         <source>Let go, or click, at the opposite corner; Esc to give up</source>
         <translation>An der gegenüberliegenden Ecke loslassen oder klicken; Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Letter sheet</source>
+        <translation>Blatt Letter</translation>
     </message>
     <message>
         <source>Lift to 3D</source>
@@ -604,6 +672,10 @@
         <translation>Symmetrieebene festlegen</translation>
     </message>
     <message>
+        <source>Marker: the black square measures {}</source>
+        <translation>Marke: das schwarze Quadrat misst {}</translation>
+    </message>
+    <message>
         <source>Merge vertices</source>
         <translation>Punkte vereinen</translation>
     </message>
@@ -650,6 +722,10 @@
     <message>
         <source>No shape was found in which all annotations hold: mark more right angles, parallels or ground vertices, or check {}.</source>
         <translation>Keine Form gefunden, in der alle Angaben gelten: mehr rechte Winkel, Parallelen oder Bodenpunkte angeben, oder {} prüfen.</translation>
+    </message>
+    <message>
+        <source>No straight edges are seen between the corners, which are taken as they are: place them well.</source>
+        <translation>Zwischen den Ecken sind keine geraden Kanten zu sehen; sie gelten, wie sie sind: genau setzen.</translation>
     </message>
     <message>
         <source>Not now</source>
@@ -708,6 +784,10 @@
         <translation>Anzahl der Parameter</translation>
     </message>
     <message>
+        <source>PDF (*.pdf);;SVG (*.svg)</source>
+        <translation>PDF (*.pdf);;SVG (*.svg)</translation>
+    </message>
+    <message>
         <source>Photo</source>
         <translation>Foto</translation>
     </message>
@@ -722,6 +802,18 @@
     <message>
         <source>Plates</source>
         <translation>Platten</translation>
+    </message>
+    <message>
+        <source>Print marker</source>
+        <translation>Marke drucken</translation>
+    </message>
+    <message>
+        <source>Print marker...</source>
+        <translation>Marke drucken...</translation>
+    </message>
+    <message>
+        <source>Printed marker</source>
+        <translation>Gedruckte Marke</translation>
     </message>
     <message>
         <source>Put another photo under the sketch; a photo can also be dropped on it or pasted</source>
@@ -758,6 +850,10 @@
     <message>
         <source>Room for a round cutter in corners that look inwards; a laser needs none</source>
         <translation>Platz für einen runden Fräser in Innenecken; ein Laser braucht keinen</translation>
+    </message>
+    <message>
+        <source>Seen from straight above, heights are hardly to be told: take the photo from lower down.</source>
+        <translation>Von genau oben sind Höhen kaum zu erkennen: das Foto von weiter unten machen.</translation>
     </message>
     <message>
         <source>Select</source>
@@ -802,6 +898,10 @@
     <message>
         <source>Show the whole photo (F)</source>
         <translation>Ganzes Foto zeigen (F)</translation>
+    </message>
+    <message>
+        <source>Side of the black square</source>
+        <translation>Seite des schwarzen Quadrats</translation>
     </message>
     <message>
         <source>Size</source>
@@ -852,6 +952,10 @@
         <translation>Manche Flächen sind halb gespiegelt: auch ihre verdeckten Kanten zeichnen, dann sind Flächen wählbar</translation>
     </message>
     <message>
+        <source>Something else</source>
+        <translation>Etwas anderes</translation>
+    </message>
+    <message>
         <source>Square</source>
         <translation>Quadrat</translation>
     </message>
@@ -892,6 +996,14 @@
         <translation>Das hat nicht geklappt:</translation>
     </message>
     <message>
+        <source>The corners do not tell which side is the longer one: check the grid on the ground, or keep the photo's EXIF data.</source>
+        <translation>Die Ecken verraten nicht, welche Seite die längere ist: das Raster am Boden prüfen oder die EXIF-Daten des Fotos behalten.</translation>
+    </message>
+    <message>
+        <source>The corners do not tell which way the ground leans: have the rectangle larger in the photo, and check the grid on the ground.</source>
+        <translation>Die Ecken verraten nicht, wie der Boden geneigt ist: das Rechteck größer ins Foto nehmen und das Raster am Boden prüfen.</translation>
+    </message>
+    <message>
         <source>The drawing and the annotations are too far apart: check the annotations.</source>
         <translation>Zeichnung und Angaben liegen zu weit auseinander: bitte die Angaben prüfen.</translation>
     </message>
@@ -928,12 +1040,20 @@
         <translation>Das Vieleck, auf dem es steht</translation>
     </message>
     <message>
+        <source>The rectangle is seen too square-on to tell the focal length, which is good to {} % only: take the photo from lower down, or keep its EXIF data.</source>
+        <translation>Das Rechteck ist zu sehr von oben zu sehen, um die Brennweite zu verraten; sie stimmt nur auf {} %: das Foto von weiter unten machen oder seine EXIF-Daten behalten.</translation>
+    </message>
+    <message>
         <source>The sketch has no edges: draw the object's edges over the photo.</source>
         <translation>Die Skizze hat keine Kanten: bitte die Kanten des Objekts über das Foto zeichnen.</translation>
     </message>
     <message>
         <source>The sketch that is lifted to 3D</source>
         <translation>Die Skizze, die in 3D gehoben wird</translation>
+    </message>
+    <message>
+        <source>There is no photo: choose one first.</source>
+        <translation>Es gibt kein Foto: zuerst eines wählen.</translation>
     </message>
     <message>
         <source>Thickness</source>
@@ -948,10 +1068,14 @@
         <translation>Dicke der Wand</translation>
     </message>
     <message>
+        <source>This line is 100 mm long. If yours is not, print again at 100 %, not fitted to the page.</source>
+        <translation>Diese Linie ist 100 mm lang. Wenn nicht: noch einmal mit 100 % drucken, nicht an die Seite angepasst.</translation>
+    </message>
+    <message>
         <source>This needs Python packages that are not installed: {}.
-They are put into FreeCAD's own folder, and may take some minutes and 2 GB.</source>
+They are put into FreeCAD's own folder, and may take some minutes and up to 2 GB.</source>
         <translation>Dafür fehlen Python-Pakete: {}.
-Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und 2 GB brauchen.</translation>
+Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu 2 GB brauchen.</translation>
     </message>
     <message>
         <source>Tile the PDF on A4, A3 or letter pages</source>
@@ -980,6 +1104,10 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und 2 GB b
     <message>
         <source>What fingers, play and kerf come to, in millimetres</source>
         <translation>Was Finger, Spiel und Schnittfuge ergeben, in Millimetern</translation>
+    </message>
+    <message>
+        <source>What in the photo tells the camera: four corners in px, and the sides in mm</source>
+        <translation>Was im Foto die Kamera ergibt: vier Ecken in px, und die Seiten in mm</translation>
     </message>
     <message>
         <source>What is true</source>
@@ -1036,6 +1164,10 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und 2 GB b
     <message>
         <source>Will it stand?</source>
         <translation>Steht es?</translation>
+    </message>
+    <message>
+        <source>Write a marker to print as PDF or SVG: on the ground in a photo, it gives the camera and the scale</source>
+        <translation>Eine Marke zum Drucken als PDF oder SVG schreiben: liegt sie im Foto am Boden, ergibt sie Kamera und Maßstab</translation>
     </message>
     <message>
         <source>Write the plates as DXF, SVG, STEP and plates.json into a folder; where a fit test is selected, write that</source>

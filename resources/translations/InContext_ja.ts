@@ -20,6 +20,18 @@
         <translation>机の写真の上に描いた本棚。板になるまで</translation>
     </message>
     <message>
+        <source>A lens of {0:.0f} mm (equivalent), {1:.0f} mm above the ground; heights are good to {2:.1f} %.</source>
+        <translation>焦点距離 {0:.0f} mm（35 mm 換算）、地面から {1:.0f} mm。高さの精度は {2:.1f} % です。</translation>
+    </message>
+    <message>
+        <source>A4 sheet</source>
+        <translation>A4 用紙</translation>
+    </message>
+    <message>
+        <source>A5 sheet</source>
+        <translation>A5 用紙</translation>
+    </message>
+    <message>
         <source>All files</source>
         <translation>すべてのファイル</translation>
     </message>
@@ -40,12 +52,20 @@
         <translation>長方形と同じで四辺が等しい</translation>
     </message>
     <message>
+        <source>Bank card</source>
+        <translation>銀行カード</translation>
+    </message>
+    <message>
         <source>Between two plates</source>
         <translation>板と板の間隔</translation>
     </message>
     <message>
         <source>Box</source>
         <translation>箱</translation>
+    </message>
+    <message>
+        <source>Camera from a rectangle</source>
+        <translation>長方形からカメラを求める</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -184,8 +204,20 @@
         <translation>線の終点をクリック。右クリックで終了。Ctrl: スナップなし、Shift: 交点</translation>
     </message>
     <message>
+        <source>Click the four corners of a printed marker, a sheet of paper or a tile on the ground: it gives the camera and the scale</source>
+        <translation>地面に置いた印刷マーカー、紙、タイルの 4 つの角をクリックすると、カメラと縮尺が決まります</translation>
+    </message>
+    <message>
+        <source>Click the four corners of something flat on the ground whose size you know, or press the key again to find the printed marker</source>
+        <translation>地面にある大きさの分かる平らな物の 4 つの角をクリックします。もう一度キーを押すと印刷したマーカーを探します</translation>
+    </message>
+    <message>
         <source>Click the front corner on the ground</source>
         <translation>手前の下の角をクリック</translation>
+    </message>
+    <message>
+        <source>Click the last corner</source>
+        <translation>最後の角をクリックします</translation>
     </message>
     <message>
         <source>Click the middle of an edge that the plane halves; Shift-click picks one by one</source>
@@ -194,6 +226,14 @@
     <message>
         <source>Click the middle of an edge that the plane halves; what is hidden behind is added</source>
         <translation>対称面が二等分する辺の中点をクリック。隠れた部分が補われます</translation>
+    </message>
+    <message>
+        <source>Click the next corner; three are left</source>
+        <translation>次の角をクリックします（残り 3 つ）</translation>
+    </message>
+    <message>
+        <source>Click the next corner; two are left</source>
+        <translation>次の角をクリックします（残り 2 つ）</translation>
     </message>
     <message>
         <source>Click the right corner on the ground</source>
@@ -266,6 +306,10 @@
     <message>
         <source>Drag a box around a horizontal circle as it is seen; pull its four grips afterwards</source>
         <translation>見えている水平な円を枠で囲む。後で四つのグリップで調整</translation>
+    </message>
+    <message>
+        <source>Drag a corner to move it, Delete forgets the camera, four clicks elsewhere begin anew</source>
+        <translation>角をドラッグすると動きます。Delete でカメラを忘れ、別の場所の 4 クリックでやり直します</translation>
     </message>
     <message>
         <source>Drag from one corner of the rectangle to the opposite one; move corners afterwards</source>
@@ -376,6 +420,10 @@
         <translation>面はスケッチが解けるとわかります。足りないものは下の行に表示されます</translation>
     </message>
     <message>
+        <source>Find camera</source>
+        <translation>カメラを求める</translation>
+    </message>
+    <message>
         <source>Fit check</source>
         <translation>適合の確認</translation>
     </message>
@@ -408,6 +456,10 @@
         <translation>時間の計算用、mm/s</translation>
     </message>
     <message>
+        <source>Forget camera</source>
+        <translation>カメラを忘れる</translation>
+    </message>
+    <message>
         <source>Free border of a sheet</source>
         <translation>板材の余白</translation>
     </message>
@@ -438,6 +490,10 @@
     <message>
         <source>Height above the ground of {}</source>
         <translation>{} の地面からの高さ</translation>
+    </message>
+    <message>
+        <source>Heights are good to {} % only: have the rectangle larger in the photo.</source>
+        <translation>高さの精度は {} % しかありません。長方形を大きく写してください。</translation>
     </message>
     <message>
         <source>How far the triangles of exported files may leave curved surfaces</source>
@@ -492,8 +548,16 @@
         <translation>インストール中…</translation>
     </message>
     <message>
+        <source>It is</source>
+        <translation>種類</translation>
+    </message>
+    <message>
         <source>Its sizes are unsure: mark more, give a length, or trace something real in the photo.</source>
         <translation>寸法は不確かです。指定を増やす、長さを与える、または写真の実物をなぞってください。</translation>
+    </message>
+    <message>
+        <source>Lay the sheet flat on the ground where the new object will stand, and take the photo.</source>
+        <translation>新しい物を置く場所の地面にこの紙を平らに置き、写真を撮ってください。</translation>
     </message>
     <message>
         <source>Layers and colours in files: a shop's or program's name, or your own .json file</source>
@@ -522,6 +586,10 @@
     <message>
         <source>Let go, or click, at the opposite corner; Esc to give up</source>
         <translation>反対側の角で放すかクリック。Esc で中止</translation>
+    </message>
+    <message>
+        <source>Letter sheet</source>
+        <translation>レター用紙</translation>
     </message>
     <message>
         <source>Lift to 3D</source>
@@ -604,6 +672,10 @@
         <translation>対称面を指定</translation>
     </message>
     <message>
+        <source>Marker: the black square measures {}</source>
+        <translation>マーカー：黒い正方形の一辺は {}</translation>
+    </message>
+    <message>
         <source>Merge vertices</source>
         <translation>頂点を結合</translation>
     </message>
@@ -650,6 +722,10 @@
     <message>
         <source>No shape was found in which all annotations hold: mark more right angles, parallels or ground vertices, or check {}.</source>
         <translation>すべての注釈が成り立つ形が見つかりません。直角、平行、地面を増やすか、{} を確認してください。</translation>
+    </message>
+    <message>
+        <source>No straight edges are seen between the corners, which are taken as they are: place them well.</source>
+        <translation>角の間に直線の縁が見えないので、角はそのまま使います。正確に置いてください。</translation>
     </message>
     <message>
         <source>Not now</source>
@@ -708,6 +784,10 @@
         <translation>パラメーター数</translation>
     </message>
     <message>
+        <source>PDF (*.pdf);;SVG (*.svg)</source>
+        <translation>PDF (*.pdf);;SVG (*.svg)</translation>
+    </message>
+    <message>
         <source>Photo</source>
         <translation>写真</translation>
     </message>
@@ -722,6 +802,18 @@
     <message>
         <source>Plates</source>
         <translation>板</translation>
+    </message>
+    <message>
+        <source>Print marker</source>
+        <translation>マーカーを印刷</translation>
+    </message>
+    <message>
+        <source>Print marker...</source>
+        <translation>マーカーを印刷...</translation>
+    </message>
+    <message>
+        <source>Printed marker</source>
+        <translation>印刷したマーカー</translation>
     </message>
     <message>
         <source>Put another photo under the sketch; a photo can also be dropped on it or pasted</source>
@@ -758,6 +850,10 @@
     <message>
         <source>Room for a round cutter in corners that look inwards; a laser needs none</source>
         <translation>内側の角に丸い刃のための逃げ。レーザーには不要</translation>
+    </message>
+    <message>
+        <source>Seen from straight above, heights are hardly to be told: take the photo from lower down.</source>
+        <translation>真上からは高さがほとんど分かりません。もっと低い位置から撮ってください。</translation>
     </message>
     <message>
         <source>Select</source>
@@ -802,6 +898,10 @@
     <message>
         <source>Show the whole photo (F)</source>
         <translation>写真全体を表示 (F)</translation>
+    </message>
+    <message>
+        <source>Side of the black square</source>
+        <translation>黒い正方形の一辺</translation>
     </message>
     <message>
         <source>Size</source>
@@ -852,6 +952,10 @@
         <translation>半分だけ鏡映された面があります。隠れた辺も描くと面を選べます</translation>
     </message>
     <message>
+        <source>Something else</source>
+        <translation>その他</translation>
+    </message>
+    <message>
         <source>Square</source>
         <translation>正方形</translation>
     </message>
@@ -892,6 +996,14 @@
         <translation>うまくいきませんでした:</translation>
     </message>
     <message>
+        <source>The corners do not tell which side is the longer one: check the grid on the ground, or keep the photo's EXIF data.</source>
+        <translation>角だけではどちらが長辺か決まりません。地面のグリッドを確かめるか、写真の EXIF データを残してください。</translation>
+    </message>
+    <message>
+        <source>The corners do not tell which way the ground leans: have the rectangle larger in the photo, and check the grid on the ground.</source>
+        <translation>角だけでは地面の傾きの向きが決まりません。長方形を大きく写し、地面のグリッドを確かめてください。</translation>
+    </message>
+    <message>
         <source>The drawing and the annotations are too far apart: check the annotations.</source>
         <translation>図と注釈が離れすぎています。注釈を確認してください。</translation>
     </message>
@@ -928,12 +1040,20 @@
         <translation>接地している多角形</translation>
     </message>
     <message>
+        <source>The rectangle is seen too square-on to tell the focal length, which is good to {} % only: take the photo from lower down, or keep its EXIF data.</source>
+        <translation>長方形がほぼ真上から写っているため焦点距離が決まりません（精度 {} %）。もっと低い位置から撮るか、EXIF データを残してください。</translation>
+    </message>
+    <message>
         <source>The sketch has no edges: draw the object's edges over the photo.</source>
         <translation>スケッチに辺がありません。写真の上に物の辺を描いてください。</translation>
     </message>
     <message>
         <source>The sketch that is lifted to 3D</source>
         <translation>3D に起こすスケッチ</translation>
+    </message>
+    <message>
+        <source>There is no photo: choose one first.</source>
+        <translation>写真がありません。先に選んでください。</translation>
     </message>
     <message>
         <source>Thickness</source>
@@ -948,10 +1068,14 @@
         <translation>壁の厚さ</translation>
     </message>
     <message>
+        <source>This line is 100 mm long. If yours is not, print again at 100 %, not fitted to the page.</source>
+        <translation>この線は 100 mm です。違う場合は、ページに合わせず 100 % で印刷し直してください。</translation>
+    </message>
+    <message>
         <source>This needs Python packages that are not installed: {}.
-They are put into FreeCAD's own folder, and may take some minutes and 2 GB.</source>
+They are put into FreeCAD's own folder, and may take some minutes and up to 2 GB.</source>
         <translation>必要な Python パッケージがありません: {}。
-FreeCAD のフォルダーに入れます。数分と 2 GB かかることがあります。</translation>
+FreeCAD のフォルダーに入れます。数分と最大 2 GB かかることがあります。</translation>
     </message>
     <message>
         <source>Tile the PDF on A4, A3 or letter pages</source>
@@ -980,6 +1104,10 @@ FreeCAD のフォルダーに入れます。数分と 2 GB かかることがあ
     <message>
         <source>What fingers, play and kerf come to, in millimetres</source>
         <translation>ほぞ、あそび、切り幅の結果(mm)</translation>
+    </message>
+    <message>
+        <source>What in the photo tells the camera: four corners in px, and the sides in mm</source>
+        <translation>写真の中でカメラを決めるもの：4 つの角（px）と辺の長さ（mm）</translation>
     </message>
     <message>
         <source>What is true</source>
@@ -1036,6 +1164,10 @@ FreeCAD のフォルダーに入れます。数分と 2 GB かかることがあ
     <message>
         <source>Will it stand?</source>
         <translation>立ちますか？</translation>
+    </message>
+    <message>
+        <source>Write a marker to print as PDF or SVG: on the ground in a photo, it gives the camera and the scale</source>
+        <translation>印刷用のマーカーを PDF か SVG で書き出します。写真の地面に写っていれば、カメラと縮尺が決まります</translation>
     </message>
     <message>
         <source>Write the plates as DXF, SVG, STEP and plates.json into a folder; where a fit test is selected, write that</source>

@@ -64,6 +64,7 @@ class Drawing:
         #: What attracts the pen besides the drawing.
         self.attraction = Attraction()
         self._marked: tuple[object, Marks] | None = None
+        self._rectangle: KnownRectangle | None = None
         self._tool: Tool = TOOLS["select"](self)
 
     @property

@@ -274,7 +274,8 @@ class SketchView(PhotoView):
         overlay.paint(painter, scene)
         self._ghosts.paint(painter, scene)
         previews.paint_above(painter, scene, work)
-        if not graph.vertices and not graph.circles and not work.preview.strokes:
+        empty = not graph.vertices and not graph.circles and not work.preview.strokes
+        if empty and self.tool_name != "camera":
             previews.paint_invitation(painter, self.viewport().rect(), self.invitation)
         painter.restore()
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from .. import host
-from .base import Command
+from .base import Command, CommandError
 
 
 class PrintMarker(Command):
@@ -22,11 +22,15 @@ class PrintMarker(Command):
 
     def run(self) -> None:
         """See the class."""
+        from ..marker_sheet import USUAL_SIZE_MM
         from ..panels.asking import ask_for_length, ask_for_new_file, show_file
 
         title = host.translate("InContext", "Print marker")
         words = host.translate("InContext", "Side of the black square")
-        size_mm = ask_for_length(title, words, 100.0)
+        try:
+            size_mm = ask_for_length(title, words, USUAL_SIZE_MM)
+        except ValueError as error:
+            raise CommandError(host.translate("InContext", str(error))) from error
         path = (
             None
             if size_mm is None

@@ -101,7 +101,9 @@ class CameraFinding:
         size_mm = None if told is None else told.size_mm
         if size_mm is None:
             dialog = RectangleDialog(photo, seen, self._view, is_marker=told is None)
-            if not dialog.exec_() or dialog.found is None:
+            was_said = dialog.exec_()
+            self.show()
+            if not was_said or dialog.found is None:
                 return
             found, size_mm = dialog.found, dialog.size_mm
         else:

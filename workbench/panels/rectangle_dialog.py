@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from .. import host
 from ..canvas.lengths import exact_text, parse_length
 from ..canvas.qt import QtCore, QtGui
+from ..canvas.questions import KnownRectangle
 from ..problems import known_problems
 from .wording import in_language
 
@@ -54,6 +55,8 @@ class RectangleDialog(QtGui.QDialog):
         names = [MARKER, *PAPERS, OTHER]
         self.kind.setCurrentIndex(names.index(wanted) if wanted in names else 0)
         self._names = names
+        # As the photo has put them right.
+        view.set_rectangle(KnownRectangle(tuple(map(tuple, seen.corners_px.tolist()))))
         self.kind.currentIndexChanged.connect(self._take_kind)
         for field in (self.width_field, self.height_field):
             field.textEdited.connect(self._look)

@@ -50,6 +50,23 @@ def diagonal(**options):
     return shapes.model(loops, left_out=("top",), **options)
 
 
+def from_both_sides(**options):
+    """Boards that lean on a wall from both sides, along one line."""
+    loops = shapes.box_loops(240, 100, 90)
+    loops["mid"] = [(120, 0, 0), (120, 100, 0), (120, 100, 90), (120, 0, 90)]
+    loops["l"] = [(40, 0, 0), (120, 0, 50), (120, 100, 50), (40, 100, 0)]
+    loops["r"] = [(190, 0, 0), (120, 0, 50), (120, 100, 50), (190, 100, 0)]
+    return shapes.model(loops, left_out=("top",), **options)
+
+
+def vee(**options):
+    """Two boards that lean to both sides from one line of the bottom."""
+    loops = shapes.box_loops(240, 100, 90)
+    loops["l"] = [(120, 0, 0), (60, 0, 90), (60, 100, 90), (120, 100, 0)]
+    loops["r"] = [(120, 0, 0), (170, 0, 90), (170, 100, 90), (120, 100, 0)]
+    return shapes.model(loops, left_out=("top",), **options)
+
+
 def leaning_unequal(**options):
     thickness = {"bottom": 5, "top": 3, "front": 3, "back": 4, "left": 3, "right": 6, "lean": 2}
     return leaning(50.0, thickness=thickness, **options)
@@ -61,6 +78,8 @@ PARTITIONED = {
     "crossed": crossed,
     "shelf and divider": shelf_and_divider,
     "diagonal": diagonal,
+    "from both sides": from_both_sides,
+    "vee": vee,
     "leaning, unequal": leaning_unequal,
 }
 

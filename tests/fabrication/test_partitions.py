@@ -94,6 +94,52 @@ def test_a_partition_between_two_fingered_corners_is_cut_off_square():
     assert kinds == {"bottom": "tab_slot"}
 
 
+def tabs_along(plate, border):
+    """Where a plate's outline reaches a border of its box, as intervals along it."""
+    low, high = plate.outline.min(axis=0), plate.outline.max(axis=0)
+    at = {"top": (1, high[1]), "bottom": (1, low[1])}[border]
+    ends = zip(plate.outline, np.roll(plate.outline, -1, axis=0), strict=True)
+    on = [e for e in ends if max(abs(p[at[0]] - at[1]) for p in e) < 1e-6]
+    return sorted(tuple(sorted((a[0], b[0]))) for a, b in on)
+
+
+def test_boards_from_both_sides_take_turns_in_one_row_of_slots():
+    model = slanted.from_both_sides()
+    joined = joined_plates(model)
+    plates = {plate.id: plate for plate in joined.plates}
+    kinds = {j.meeting.two[0]: j.kind for j in joined.joints if j.meeting.one == ("mid",)}
+    assert kinds == {"l": "tab_slot", "r": "tab_slot"}
+    in_world = {}
+    for id_ in ("l", "r"):
+        place = plates[id_].world_from_plate
+        tabs = tabs_along(plates[id_], "top")
+        # y in the world, which runs along both boards' upper edges.
+        in_world[id_] = sorted(
+            tuple(sorted((place[:3, :2] @ (x, 0.0) + place[:3, 3])[1] for x in ends))
+            for ends in tabs
+        )
+    assert len(in_world["l"]) == len(in_world["r"]) + 1
+    for (_, high), (low, _) in zip(in_world["l"], in_world["r"], strict=False):
+        assert low == pytest.approx(high, abs=1e-4)
+
+
+def test_of_two_boards_from_one_line_the_first_has_tabs():
+    joints = joined_plates(slanted.vee()).joints
+    kinds = {j.meeting.two[0]: j.kind for j in joints if j.meeting.one == ("bottom",)}
+    assert kinds["l"] == "tab_slot"
+    assert kinds["r"] == "butt"
+
+
+def test_joints_know_where_they_are():
+    """So that edge marks lie beside them."""
+    (joint,) = [
+        j
+        for j in joined_plates(slanted.leaning(60)).joints
+        if (j.meeting.one, j.meeting.two) == (("bottom",), ("lean",))
+    ]
+    assert joint.meeting.middle_mm == pytest.approx((80.0, 50.0, 0.0), abs=3.0)
+
+
 def test_play_widens_slots_at_any_angle():
     tight, loose = (
         {p.id: p for p in make_plates(slanted.leaning(), PlateSettings(play_mm=play))}

@@ -82,6 +82,22 @@ def band_outlines(
         Naming faces of which no plates can be made this way.
     """
     plan = plan or JointPlan(settings.finger_mm, settings.play_mm, settings.joints)
+    while True:
+        try:
+            return _outlines(model, settings, plan)
+        except _CutUpError as error:
+            if not plan.butt_instead(error.ids):
+                raise
+
+
+class _CutUpError(FabricationError):
+    """A plate that its joints cut into pieces; its ids are its faces."""
+
+
+def _outlines(
+    model: Model, settings: PlateSettings, plan: JointPlan
+) -> tuple[tuple[SlantedWall, ...], list[Polygon]]:
+    """The outlines with the joints that the plan allows."""
     walls, partitions = slanted_walls(model, settings.side)
     seams = find_seams(walls)
     edges = [_edges(w, walls, seams) for w in range(len(walls))]
@@ -114,10 +130,11 @@ def _whole(wall: SlantedWall, outline: Polygon) -> Polygon:
     parts.sort(key=lambda part: -part.area)
     lost = sum(part.area for part in parts[1:])
     if not parts or lost > LOOSE_SHARE * parts[0].area:
-        raise FabricationError(
+        raise _CutUpError(
             f"the joints cut the plate into {len(parts)} pieces"
             if parts
-            else "the joints leave nothing of the plate",
+            else "the joints leave nothing of the plate, "
+            f"whose face is {_narrow_mm(wall):.1f} mm wide only",
             wall.face_ids,
             "thinner plates, or butt joints at its edges",
         )
@@ -125,6 +142,12 @@ def _whole(wall: SlantedWall, outline: Polygon) -> Polygon:
         held = parts[0].buffer(1.01 * NECK_MM, join_style="mitre")
         outline = outline.intersection(held, grid_size=FINE_MM)
     return tidy(max(shapely.get_parts(outline), key=lambda part: part.area))
+
+
+def _narrow_mm(wall: SlantedWall) -> float:
+    """The shorter side of the box around a wall."""
+    around = np.array(Polygon(wall.rings[0]).minimum_rotated_rectangle.exterior.coords)
+    return float(np.linalg.norm(np.diff(around, axis=0), axis=1).min())
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,7 +15,7 @@ choice
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 
 from .dihedral import FINGERS_FROM_RAD, FINGERS_TO_RAD
@@ -199,6 +199,7 @@ class JointPlan:
     play_mm: float
     choices: tuple[JointChoice, ...] = ()
     joints: list[Joint] = field(default_factory=list)
+    _butted: dict[tuple[tuple[str, ...], tuple[str, ...]], str] = field(default_factory=dict)
     _used: set[JointChoice] = field(default_factory=set)
 
     def decide(self, meeting: Meeting, count: Callable[[float], int]) -> Joint:
@@ -234,7 +235,7 @@ class JointPlan:
             )
         reason = ""
         if meeting.form != "X" and kind in ("finger", "tab_slot"):
-            reason = why_no_fingers(meeting, count(finger))
+            reason = why_no_fingers(meeting, count(finger)) or self._butted.get(_sides(meeting), "")
         if reason:
             if wish.kind is not None:
                 raise FabricationError(f"fingers cannot hold here: {reason}", meeting.name, "butt")
@@ -242,6 +243,36 @@ class JointPlan:
         joint = Joint(meeting, kind, finger, play, self._swapped(meeting, wish.owner), reason)
         self.joints.append(joint)
         return joint
+
+    def butt_instead(self, face_ids: Sequence[str]) -> bool:
+        """Begin again, with one finger joint fewer at a plate that fingers cut into pieces.
+
+        Parameters
+        ----------
+        face_ids : sequence of str
+            Of the plate.
+
+        Returns
+        -------
+        bool
+            False where no finger joint is left that the person did not choose; then nothing
+            changes.
+        """
+        chosen = [choice for choice in self.choices if choice.kind is not None]
+        able = [
+            joint.meeting
+            for joint in self.joints
+            if joint.kind == "finger"
+            and {*face_ids} & {*joint.meeting.one, *joint.meeting.two}
+            and not any(choice.concerns(joint.meeting) for choice in chosen)
+        ]
+        if not able:
+            return False
+        # The shortest holds least.
+        shortest = min(able, key=lambda meeting: meeting.length_mm)
+        self._butted[_sides(shortest)] = f"fingers would cut {face_ids[0]} into pieces"
+        self.joints.clear()
+        return True
 
     def _swapped(self, meeting: Meeting, owner: str | None) -> bool:
         if owner is None or owner in meeting.one:
@@ -275,6 +306,10 @@ class JointPlan:
 
     def _names(self) -> list[str]:
         return list(dict.fromkeys(":".join(j.meeting.name) for j in self.joints))
+
+
+def _sides(meeting: Meeting) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    return meeting.one, meeting.two
 
 
 def why_no_fingers(meeting: Meeting, count: int) -> str:

@@ -12,6 +12,9 @@ tip, notch
     t / sin(theta) long and ends where its first corner meets the carrier's far side.
 run
     What of a contact is clear of all other walls and one thickness from the carrier's borders.
+partner
+    A contact with the same line on the same carrier. From the carrier's two sides the tabs of both
+    take turns; on one side the first partition has tabs and the second is cut off before it.
 
 A partition's edge that has no carrier (where two walls meet, or on a border) is cut off square
 where it would enter another plate.
@@ -29,50 +32,37 @@ import shapely
 from shapely.geometry import Polygon
 
 from ...solver.values import Array
+from .contacts import Contact, Interval, contacts_of
+from .crossings import cross, laps_of
 from .finger_joints import divide, least_finger_mm
-from .joints import Joint, JointPlan, Meeting
-from .seams import EdgeNames, edge_frame
+from .joints import JointPlan, Meeting
+from .seams import EdgeNames
 from .settings import PlateSettings
 from .slanted_walls import FINE_MM, SlantedWall
 from .trimming import plate_body, shadow_of
 
-#: Flatter contacts get no joint; the partition is only cut off there.
-_FLAT_SINE = 0.1
-_ON_PLANE_MM = 1e-4
 
-Interval = tuple[float, float]
+@dataclass(slots=True)
+class _Taken:
+    """All contacts, and the tabs of those that are joined."""
 
+    contacts: Sequence[Contact]
+    tabs: list[tuple[Contact, Interval]]
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Contact:
-    """See the module's terms; `origin`, `along`, `across` place (s, y) in the carrier's plane."""
+    def partners(self, contact: Contact) -> list[Contact]:
+        return [other for other in self.contacts if contact.is_partner(other)]
 
-    partition: int
-    carrier: int
-    start: Array
-    along: Array
-    into: Array
-    span: Interval
-    tip: float
-    notch: float
-    sine: float
-    origin: Array
-    way: Array
-    across: Array
-    slot: Interval
-
-    def strip(self, ends: Interval, depths: Interval) -> Polygon:
-        """A rectangle in the partition's plane."""
-        corners = [(ends[0], depths[0]), (ends[1], depths[0])]
-        corners += [(ends[1], depths[1]), (ends[0], depths[1])]
-        return Polygon([self.start + s * self.along + x * self.into for s, x in corners])
-
-    def opening(self, ends: Interval, play: float) -> Polygon:
-        """A slot in the carrier's plane."""
-        low, high = self.slot[0] - play / 2, self.slot[1] + play / 2
-        a, b = ends[0] - play / 2, ends[1] + play / 2
-        corners = [(a, low), (b, low), (b, high), (a, high)]
-        return Polygon([self.origin + s * self.way + y * self.across for s, y in corners])
+    def gaps(self, contact: Contact, runs: Sequence[Interval], least: float) -> list[Interval]:
+        """Where a contact's tabs fit in between those of partners that were there before."""
+        before = [
+            contact.along_of(other, ends) for other, ends in self.tabs if contact.is_partner(other)
+        ]
+        return [
+            (low, high)
+            for run in runs
+            for low, high in _without(run, before)
+            if high - low >= least and not {low, high} & {*run}
+        ]
 
 
 def partitioned(
@@ -105,99 +95,24 @@ def partitioned(
     result = list(outlines)
     bodies = [plate_body(wall, outline) for wall, outline in zip(walls, outlines, strict=True)]
     numbers = range(first, len(walls))
-    laps = [lap for p in numbers for q in range(p + 1, len(walls)) for lap in _laps(walls, p, q)]
-    for p in numbers:
-        for contact in _contacts(walls, p):
-            _join(contact, walls, result, bodies, plan, settings, names)
+    laps = [lap for p in numbers for q in range(p + 1, len(walls)) for lap in laps_of(walls, p, q)]
+    taken = _Taken([contact for p in numbers for contact in contacts_of(walls, p)], [])
+    for contact in taken.contacts:
+        _join(contact, walls, result, bodies, plan, settings, names, taken)
     for lap in laps:
-        _cross(lap, walls, outlines, result, plan, names)
+        cross(lap, walls, outlines, result, plan, names)
     return result
 
 
-def _contacts(walls: Sequence[SlantedWall], p: int) -> list[_Contact]:
-    wall, found = walls[p], []
-    for r, ring in enumerate(wall.rings):
-        for e in range(len(ring)):
-            start, along, into, length = edge_frame(wall, r, e)
-            for w, carrier in enumerate(walls):
-                if w != p and not {*carrier.face_ids} & {*wall.face_ids}:
-                    found += _contact(wall, p, carrier, w, (start, along, into, length))
-    return found
-
-
-def _contact(
-    wall: SlantedWall,
-    p: int,
-    carrier: SlantedWall,
-    w: int,
-    edge: tuple[Array, Array, Array, float],
-) -> list[_Contact]:
-    start, along, into, length = edge
-    into_carrier = np.linalg.inv(carrier.world_from_wall)
-    place = wall.world_from_wall
-
-    def local(point: Array) -> Array:
-        in_world = place[:3] @ np.array([*point, wall.drawn_mm, 1.0])
-        return np.asarray((into_carrier @ np.array([*in_world, 1.0]))[:3])
-
-    a, b = local(start), local(start + length * along)
-    if max(abs(a[2] - carrier.drawn_mm), abs(b[2] - carrier.drawn_mm)) > _ON_PLANE_MM:
-        return []
-    inwards = into_carrier[:3, :3] @ place[:3, :3] @ np.array([*into, 0.0])
-    sine = abs(float(inwards[2]))
-    if sine < _FLAT_SINE:
-        return []
-    height, t = float(a[2]), carrier.thickness_mm
-    low, high = (-height, t - height) if inwards[2] > 0 else (height - t, height)
-    way = (b - a)[:2] / np.linalg.norm((b - a)[:2])
-    across = np.array([-way[1], way[0]])
-    # How far the partition moves across while it rises through the carrier, mm for each mm.
-    slope = float(inwards[:2] @ across) / sine
-    cosine = math.sqrt(max(0.0, 1 - sine**2))
-    half = wall.thickness_mm / 2
-    sides = sorted((low * slope, high * slope))
-    found = []
-    for span in _inside(Polygon(carrier.rings[0], carrier.rings[1:]), a[:2], way, length):
-        found.append(
-            _Contact(
-                p,
-                w,
-                start,
-                along,
-                into,
-                span,
-                (low + half * cosine) / sine,
-                (high + half * cosine) / sine,
-                sine,
-                a[:2],
-                way,
-                across,
-                (sides[0] - half / sine, sides[1] + half / sine),
-            )
-        )
-    return found
-
-
-def _inside(region: Polygon, origin: Array, way: Array, length: float) -> list[Interval]:
-    """Where a line runs within a region, not on its border."""
-    line = shapely.LineString([origin, origin + length * way])
-    inner = region.buffer(-1e-3, join_style="mitre")
-    spans = []
-    for part in shapely.get_parts(line.intersection(inner)):
-        if part.geom_type == "LineString" and part.length > 1e-3:
-            ends = sorted(float((np.array(c) - origin) @ way) for c in part.coords)
-            spans.append((max(0.0, ends[0] - 2e-3), min(length, ends[-1] + 2e-3)))
-    return spans
-
-
 def _join(
-    contact: _Contact,
+    contact: Contact,
     walls: Sequence[SlantedWall],
     outlines: list[Polygon],
     bodies: Sequence[manifold3d.Manifold],
     plan: JointPlan,
     settings: PlateSettings,
     names: EdgeNames,
+    taken: _Taken,
 ) -> None:
     """Cut tabs and slots of one contact."""
     p, w = contact.partition, contact.carrier
@@ -205,10 +120,17 @@ def _join(
     lost = lost.buffer(4 * FINE_MM, join_style="mitre")
     tabs: list[Polygon] = []
     if walls[w].thickness_mm > 0:
-        runs = _runs(contact, walls, outlines, bodies)
+        runs = _runs(contact, walls, outlines, bodies, taken)
         thickness = max(walls[p].thickness_mm, walls[w].thickness_mm)
         least = least_finger_mm(thickness, settings.kerf_mm)
         longest = max((high - low for low, high in runs), default=0.0)
+        shares = any(contact.is_partner(other) for other, _ in taken.tabs)
+
+        def wished(finger: float) -> list[Interval]:
+            if shares:
+                return taken.gaps(contact, runs, least)
+            return [ends for run in runs for ends in _tabs(run, finger, least)]
+
         joint = plan.decide(
             Meeting(
                 "T",
@@ -218,28 +140,25 @@ def _join(
                 math.asin(min(1.0, contact.sine)),
                 longest,
                 least,
+                _world(walls[p], contact.start + sum(contact.span) / 2 * contact.along),
             ),
-            lambda finger: 1 + len(_tabs((0.0, longest), finger, least)),
+            lambda finger: 1 + len(wished(finger)),
         )
-        for run in runs if joint.kind == "tab_slot" else ():
-            for ends in _tabs(run, joint.finger_mm, least):
-                tabs.append(contact.strip(ends, (contact.tip, contact.notch + 1.0)))
-                slot = contact.opening(ends, joint.play_mm)
-                outlines[w] = outlines[w].difference(
-                    slot.buffer(4 * FINE_MM, join_style="mitre"), grid_size=FINE_MM
-                )
+        for ends in wished(joint.finger_mm) if joint.kind == "tab_slot" else ():
+            taken.tabs.append((contact, ends))
+            tabs.append(contact.strip(ends, (contact.tip, contact.notch + 1.0)))
+            slot = contact.opening(ends, joint.play_mm)
+            outlines[w] = outlines[w].difference(
+                slot.buffer(4 * FINE_MM, join_style="mitre"), grid_size=FINE_MM
+            )
     cut = outlines[p].difference(lost, grid_size=FINE_MM)
     outlines[p] = shapely.union_all([cut, *tabs], grid_size=FINE_MM) if tabs else cut
 
 
-def _point(position: Array) -> tuple[float, float, float]:
-    x, y, z = position.tolist()
-    return x, y, z
-
-
 def _world(wall: SlantedWall, point: Array) -> tuple[float, float, float]:
     """A point of a partition's drawn plane in the world."""
-    return _point(wall.world_from_wall[:3] @ np.array([*point, wall.drawn_mm, 1.0]))
+    x, y, z = (wall.world_from_wall[:3] @ np.array([*point, wall.drawn_mm, 1.0])).tolist()
+    return x, y, z
 
 
 def _tabs(run: Interval, finger: float, least: float) -> list[Interval]:
@@ -256,20 +175,26 @@ def _tabs(run: Interval, finger: float, least: float) -> list[Interval]:
 
 
 def _runs(
-    contact: _Contact,
+    contact: Contact,
     walls: Sequence[SlantedWall],
     outlines: Sequence[Polygon],
     bodies: Sequence[manifold3d.Manifold],
+    taken: _Taken,
 ) -> list[Interval]:
     """The runs of a contact."""
     p, w = contact.partition, contact.carrier
+    partners = taken.partners(contact)
+    joined = [other for other, _ in taken.tabs]
+    if any(other.side == contact.side and other in joined for other in partners):
+        return []
+    sharing = {other.partition for other in partners}
     partition, carrier = walls[p], walls[w]
     depths = (contact.tip, contact.notch)
     band = contact.strip(contact.span, depths)
     blocked: list[Interval] = []
     in_band = plate_body(partition, band)
     for o, other in enumerate(bodies):
-        shared = in_band ^ other if o not in (p, w) else None
+        shared = in_band ^ other if o not in (p, w) and o not in sharing else None
         if shared is not None and shared.volume() > 1e-6:
             clear = carrier.thickness_mm
             for low, high in _spans(shadow_of(partition, shared), contact.start, contact.along):
@@ -277,7 +202,10 @@ def _runs(
     whole = outlines[p].union(band)
     deep = contact.strip(contact.span, (contact.tip, contact.notch + partition.thickness_mm))
     blocked += _spans(deep.difference(whole), contact.start, contact.along)
-    free = outlines[w].buffer(-carrier.thickness_mm, join_style="mitre")
+    # The slots of partners are no borders.
+    slots = [other.opening(ends, 1e-3) for other, ends in taken.tabs if other in partners]
+    whole = shapely.union_all([outlines[w], *slots])
+    free = whole.buffer(-carrier.thickness_mm, join_style="mitre")
     lane = contact.opening(contact.span, 0.0)
     blocked += _spans(lane.difference(free), contact.origin, contact.way)
     return _without(contact.span, blocked)
@@ -302,129 +230,3 @@ def _without(span: Interval, blocked: Sequence[Interval]) -> list[Interval]:
         at = max(at, high)
     left.append((at, span[1]))
     return [(low, high) for low, high in left if high - low > 1e-3]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Lap:
-    """Two partitions through one another along a line from `start` on, `length` mm."""
-
-    one: int
-    two: int
-    start: Array
-    way: Array
-    length: float
-
-
-def _laps(walls: Sequence[SlantedWall], one: int, two: int) -> list[_Lap]:
-    """Where both of two partitions pass the other."""
-    normals = [walls[n].inwards for n in (one, two)]
-    way = np.cross(normals[0], normals[1])
-    size = float(np.linalg.norm(way))
-    if size < _FLAT_SINE:
-        return []
-    way = way / size
-    points = [walls[n].world_from_wall[:3] @ [0.0, 0.0, walls[n].drawn_mm, 1.0] for n in (one, two)]
-    heights = [n @ q for n, q in zip(normals, points, strict=True)]
-    origin = np.linalg.lstsq(np.array([*normals, way]), np.array([*heights, 0.0]), rcond=None)[0]
-    spans = [_passes(walls[n], origin, way) for n in (one, two)]
-    return [
-        _Lap(one, two, origin + low * way, way, high - low)
-        for a in spans[0]
-        for b in spans[1]
-        for low, high in [(max(a[0], b[0]), min(a[1], b[1]))]
-        if high - low > 1e-3
-    ]
-
-
-def _in_plane(wall: SlantedWall, points: Array) -> Array:
-    """World points as coordinates of a wall's plane, (n, 2)."""
-    return np.asarray((points - wall.world_from_wall[:3, 3]) @ wall.world_from_wall[:3, :2])
-
-
-def _passes(wall: SlantedWall, origin: Array, way: Array) -> list[Interval]:
-    base, along = _in_plane(wall, origin), way @ wall.world_from_wall[:3, :2]
-    reach = 1e5
-    spans = _inside(Polygon(wall.rings[0], wall.rings[1:]), base - reach * along, along, 2 * reach)
-    return [(low - reach, high - reach) for low, high in spans]
-
-
-def _cross(
-    lap: _Lap,
-    walls: Sequence[SlantedWall],
-    drawn: Sequence[Polygon],
-    outlines: list[Polygon],
-    plan: JointPlan,
-    names: EdgeNames,
-) -> None:
-    """Cut two partitions half through where they cross."""
-    one, two = lap.one, lap.two
-    cosine = abs(float(walls[one].inwards @ walls[two].inwards))
-    ends = np.array([lap.start, lap.start + lap.length * lap.way])
-    meeting = Meeting(
-        "X",
-        walls[one].face_ids,
-        walls[two].face_ids,
-        names.on(walls[one], walls[two], ends),
-        math.acos(min(1.0, cosine)),
-        lap.length,
-        0.0,
-        _point(ends.mean(axis=0)),
-    )
-    joint = plan.decide(meeting, lambda _: 1)
-    first, second = (two, one) if joint.swapped else (one, two)
-    for wall, low, high in _halves(lap, walls, drawn, first, second, joint):
-        other = second if wall == first else first
-        slot = _slot(lap, walls[wall], walls[other], (low, high), joint.play_mm)
-        outlines[wall] = outlines[wall].difference(
-            slot.buffer(4 * FINE_MM, join_style="mitre"), grid_size=FINE_MM
-        )
-
-
-def _halves(
-    lap: _Lap,
-    walls: Sequence[SlantedWall],
-    drawn: Sequence[Polygon],
-    first: int,
-    second: int,
-    joint: Joint,
-) -> list[tuple[int, float, float]]:
-    """Which wall is slotted from where to where along a lap.
-
-    A slot can only open where its wall ends; one that goes on at both ends gets a closed slot.
-    """
-    goes_on = {n: _goes_on(lap, walls[n], drawn[n]) for n in (first, second)}
-    far = 6 * max(walls[first].thickness_mm, walls[second].thickness_mm)
-    middle, end = lap.length / 2, lap.length + far
-    play = joint.play_mm / 4
-    if joint.kind == "tab_slot":
-        return [(second, -play, lap.length + play)]
-    for low, high in ((second, first), (first, second)):
-        if not goes_on[low][0] and not goes_on[high][1]:
-            return [(low, -far, middle + play), (high, middle - play, end)]
-    for wall in (second, first):
-        if all(goes_on[wall]):
-            return [(wall, -play, lap.length + play)]
-    return [(second, -far, middle + play), (first, middle - play, end)]
-
-
-def _goes_on(lap: _Lap, wall: SlantedWall, drawn: Polygon) -> tuple[bool, bool]:
-    """Whether a wall has material just before and just beyond a lap."""
-    step = 2 * wall.thickness_mm
-    spots = _in_plane(
-        wall,
-        np.array([lap.start - step * lap.way, lap.start + (lap.length + step) * lap.way]),
-    )
-    before, beyond = shapely.contains_xy(drawn, spots[:, 0], spots[:, 1]).tolist()
-    return before, beyond
-
-
-def _slot(lap: _Lap, wall: SlantedWall, other: SlantedWall, ends: Interval, play: float) -> Polygon:
-    """A slot of t_other / sin + t_own |cot| in a wall's plane."""
-    start = _in_plane(wall, lap.start)
-    along = lap.way @ wall.world_from_wall[:3, :2]
-    across = np.array([-along[1], along[0]])
-    cosine = abs(float(wall.inwards @ other.inwards))
-    sine = math.sqrt(max(1e-12, 1 - cosine**2))
-    half = (other.thickness_mm + wall.thickness_mm * cosine) / sine / 2 + play / 2
-    corners = [(ends[0], -half), (ends[1], -half), (ends[1], half), (ends[0], half)]
-    return Polygon([start + s * along + y * across for s, y in corners])

@@ -83,12 +83,11 @@ def find_seams(walls: Sequence[SlantedWall]) -> dict[tuple[int, int, int], Seam]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Corner:
-    """A point in which walls meet: their numbers, their edges there, the shortest one's length."""
+    """A point in which walls meet: their numbers, and their edges there."""
 
     point: Array
     walls: tuple[int, ...]
     edges: tuple[tuple[int, int, int], ...]
-    reach: float
 
 
 def find_corners(walls: Sequence[SlantedWall]) -> list[Corner]:
@@ -103,9 +102,8 @@ def find_corners(walls: Sequence[SlantedWall]) -> list[Corner]:
                 found.setdefault(key, []).extend(((w, r, e), (w, r, (e - 1) % len(ring))))
     corners = []
     for key, edges in found.items():
-        reach = min(edge_frame(walls[w], r, e)[3] for w, r, e in edges)
         numbers = tuple(dict.fromkeys(w for w, _, _ in edges))
-        corners.append(Corner(places.points[key], numbers, tuple(edges), reach))
+        corners.append(Corner(places.points[key], numbers, tuple(edges)))
     return corners
 
 

@@ -25,6 +25,7 @@ from ...solver.model import Model
 from ...solver.values import Array
 from .errors import FabricationError
 from .frame import SNAP_MM, newell
+from .offsetting import moved_out
 from .polyhedra import refit
 from .sides import face_sides
 from .walls import tidy
@@ -84,11 +85,11 @@ def slanted_walls(
     inwards = {id_: sides[id_] * _unit(newell(placed[id_][0])) for id_ in shown}
     share = {"inside": 0.0, "middle": 0.5, "outside": 1.0}[side]
     thickness = {id_: model.faces[id_].thickness_mm if id_ in made else 0.0 for id_ in shown}
-    outer = _moved_out(vertices, loops, inwards, {f: share * t for f, t in thickness.items()})
+    outer = moved_out(vertices, loops, inwards, {f: share * t for f, t in thickness.items()})
     walls = [
         wall
-        for group in _planes(shown, loops, outer, inwards, thickness)
-        for wall in _walls(group, loops, outer, inwards[group[0]], thickness[group[0]], share)
+        for group in _planes(shown, outer, inwards, thickness)
+        for wall in _walls(group, outer, inwards[group[0]], thickness[group[0]], share)
     ]
     walls.sort(key=lambda wall: shown.index(wall.face_ids[0]))
     return _with_common_corners(walls), _partitions(model, partitions, loops, vertices)
@@ -101,17 +102,18 @@ def _partitions(
     vertices: Mapping[str, Array],
 ) -> tuple[SlantedWall, ...]:
     """Walls with the drawn faces in their middle."""
-    normals = {}
+    normals, rings = {}, {}
     for id_ in partitions:
-        normal = _unit(newell(np.array([vertices[v] for v in loops[id_][0]])))
+        rings[id_] = tuple(np.array([vertices[v] for v in loop]) for loop in loops[id_])
+        normal = _unit(newell(rings[id_][0]))
         # One sense for parallel ones, so that faces of one plane are found.
         lead = int(np.argmax(np.abs(np.round(normal, 6))))
         normals[id_] = normal if normal[lead] > 0 else -normal
     thickness = {id_: model.faces[id_].thickness_mm for id_ in partitions}
     walls = (
         wall
-        for group in _planes(partitions, loops, vertices, normals, thickness)
-        for wall in _walls(group, loops, vertices, normals[group[0]], thickness[group[0]], 0.5)
+        for group in _planes(partitions, rings, normals, thickness)
+        for wall in _walls(group, rings, normals[group[0]], thickness[group[0]], 0.5)
     )
     return tuple(_sunk(wall) for wall in walls)
 
@@ -125,8 +127,7 @@ def _sunk(wall: SlantedWall) -> SlantedWall:
 
 def _planes(
     shown: Sequence[str],
-    loops: Mapping[str, Sequence[Sequence[str]]],
-    vertices: Mapping[str, Array],
+    rings: Mapping[str, Sequence[Array]],
     inwards: Mapping[str, Array],
     thickness: Mapping[str, float],
 ) -> list[list[str]]:
@@ -135,10 +136,7 @@ def _planes(
     for id_ in shown:
         for group in groups:
             if thickness[group[0]] == thickness[id_] and _coplanar(
-                vertices[loops[group[0]][0][0]],
-                inwards[group[0]],
-                vertices[loops[id_][0][0]],
-                inwards[id_],
+                rings[group[0]][0][0], inwards[group[0]], rings[id_][0][0], inwards[id_]
             ):
                 group.append(id_)
                 break
@@ -155,54 +153,18 @@ def _coplanar(p: Array, n: Array, q: Array, m: Array) -> bool:
     return bool(n @ m > 1 - 1e-9) and abs(float(n @ (q - p))) < SNAP_MM / 10
 
 
-def _moved_out(
-    vertices: Mapping[str, Array],
-    loops: Mapping[str, Sequence[Sequence[str]]],
-    inwards: Mapping[str, Array],
-    moves: Mapping[str, float],
-) -> dict[str, Array]:
-    """The vertices after each face's plane was moved outwards."""
-    result = dict(vertices)
-    for v in vertices:
-        at = [f for f in inwards if any(v in loop for loop in loops[f])]
-        if not at:
-            continue
-        move = _common_move(at, inwards, moves)
-        if move is None:  # an opening need not be kept to
-            move = _common_move([f for f in at if moves[f] > 0], inwards, moves)
-        if move is None:
-            raise FabricationError(
-                "where more than three faces meet, material can only lie inside", at, "side inside"
-            )
-        result[v] = vertices[v] + move
-    return result
-
-
-def _common_move(
-    faces: Sequence[str], inwards: Mapping[str, Array], moves: Mapping[str, float]
-) -> Array | None:
-    """The least move of a vertex that moves all its planes outwards as wished."""
-    if not faces:
-        return np.zeros(3)
-    normals = -np.array([inwards[f] for f in faces])
-    wished = np.array([moves[f] for f in faces])
-    move: Array = np.linalg.lstsq(normals, wished, rcond=1e-6)[0]
-    return move if np.abs(normals @ move - wished).max() < 1e-6 else None
-
-
 def _walls(
     group: Sequence[str],
-    loops: Mapping[str, Sequence[Sequence[str]]],
-    vertices: Mapping[str, Array],
+    placed: Mapping[str, Sequence[Array]],
     inwards: Array,
     thickness: float,
     share: float,
 ) -> list[SlantedWall]:
     """One wall for each set of touching faces of one plane, a share of it above the drawn one.
 
-    `vertices` of outer walls have moved outwards by that share already.
+    The rings of outer walls have moved outwards by that share already.
     """
-    origin = vertices[loops[group[0]][0][0]]
+    origin = placed[group[0]][0][0]
     up = np.array([0.0, 0.0, 1.0]) if abs(inwards[2]) < 0.9 else np.array([0.0, 1.0, 0.0])
     y = _unit(up - inwards * (up @ inwards))
     place = np.eye(4)
@@ -210,9 +172,7 @@ def _walls(
     place[:3, 3] = origin
     polygons = {}
     for id_ in group:
-        rings = [
-            (np.array([vertices[v] for v in loop]) - origin) @ place[:3, :2] for loop in loops[id_]
-        ]
+        rings = [(ring - origin) @ place[:3, :2] for ring in placed[id_]]
         polygons[id_] = Polygon(rings[0], rings[1:])
         if not polygons[id_].is_valid:
             raise FabricationError(

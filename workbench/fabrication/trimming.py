@@ -15,9 +15,10 @@ import numpy as np
 import shapely
 from shapely.geometry import Polygon
 
+from ...solver.union_find import UnionFind
 from ...solver.values import Array
 from .errors import FabricationError
-from .seams import Seams, find_corners
+from .seams import Corner, Seams, edge_frame, find_corners
 from .slanted_walls import FINE_MM, SlantedWall
 
 #: Plates may share so little, mm3: rounding.
@@ -41,30 +42,52 @@ def pointed(
 ) -> list[Polygon]:
     """The outlines without what sticks out where more than three plates come to a point.
 
-    A plate keeps behind its neighbours by its tips; behind the others it is kept here.
+    A plate keeps behind its neighbours by its tips; behind the others it is kept here. Corners
+    nearer to one another than plates are thick count as one.
     """
     result = list(outlines)
     all_convex = all(seam.theta_rad < np.pi for seam in seams.values())
-    for corner in find_corners(walls):
-        convex = all(
-            seams[w, r, e].theta_rad < np.pi for w, r, e in corner.edges if (w, r, e) in seams
-        )
-        if len(corner.walls) < 4 or not convex:
+    for corners in _clusters(find_corners(walls), walls):
+        numbers = dict.fromkeys(w for corner in corners for w in corner.walls)
+        edges = [edge for corner in corners for edge in corner.edges]
+        convex = all(seams[e].theta_rad < np.pi for e in edges if e in seams)
+        if len(numbers) < 4 or not convex:
             continue
-        for w in corner.walls:
-            for other in corner.walls:
-                reach = 4 * corner.reach if all_convex else corner.reach / 2
-                outside = _outside(walls[other], corner.point, reach)
+        lengths = sorted(edge_frame(walls[w], r, e)[3] for w, r, e in edges)
+        long = [length for length in lengths if length > _short(walls)] or lengths[-1:]
+        reach = 4 * lengths[-1] if all_convex else long[0] / 2
+        for w in numbers:
+            for other in numbers:
+                outside = _outside(walls[other], corners[0].point, reach)
                 shared = plate_body(walls[w], result[w]) ^ outside
                 if w != other and shared.volume() > OVERLAP_MM3:
                     result[w] = result[w].difference(shadow_of(walls[w], shared), grid_size=FINE_MM)
     return result
 
 
+def _short(walls: Sequence[SlantedWall]) -> float:
+    """Corners nearer to one another than this count as one, mm."""
+    return 2 * max(wall.thickness_mm for wall in walls)
+
+
+def _clusters(corners: Sequence[Corner], walls: Sequence[SlantedWall]) -> list[list[Corner]]:
+    points = np.array([corner.point for corner in corners])
+    sets = UnionFind(len(corners))
+    for k, point in enumerate(points):
+        near = np.linalg.norm(points[:k] - point, axis=1) < _short(walls)
+        for other in np.flatnonzero(near).tolist():
+            if {*corners[k].walls} & {*corners[other].walls}:
+                sets.union(k, other)
+    groups: dict[int, list[Corner]] = {}
+    for corner, label in zip(corners, sets.labels(), strict=True):
+        groups.setdefault(label, []).append(corner)
+    return list(groups.values())
+
+
 def _outside(wall: SlantedWall, point: Array, reach: float) -> manifold3d.Manifold:
     """What lies beyond a wall's outer plane, near a point."""
     cube = manifold3d.Manifold.cube([2 * reach] * 3, center=True).translate(point)
-    return cube.trim_by_plane(-wall.inwards, float(-wall.inwards @ point))
+    return cube.trim_by_plane(-wall.inwards, float(-wall.inwards @ wall.world_from_wall[:3, 3]))
 
 
 def shadow_of(wall: SlantedWall, solid: manifold3d.Manifold) -> Polygon:

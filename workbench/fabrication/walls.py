@@ -28,6 +28,7 @@ from .sides import face_sides
 
 #: Coordinates of regions are multiples of this, mm.
 GRID_MM = 1e-6
+_ONE_PLACE_MM = 1e-8
 
 
 @dataclass(frozen=True, slots=True)
@@ -205,6 +206,9 @@ def _rings(polygon: Polygon) -> list[shapely.LinearRing]:
 
 
 def _straightened(ring: Array) -> Array:
+    # Of two points in one place neither would have a turn.
+    apart = np.abs(ring - np.roll(ring, 1, axis=0)).max(axis=1) > _ONE_PLACE_MM
+    ring = ring[apart]
     before = ring - np.roll(ring, 1, axis=0)
     after = np.roll(ring, -1, axis=0) - ring
     turn = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]

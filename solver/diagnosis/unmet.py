@@ -17,7 +17,8 @@ def unmet_annotations(residuals: Mapping[str, Residual], size_mm: float) -> tupl
     """Annotations that do not hold, the worst first."""
 
     def badness(residual: Residual) -> float:
-        return residual.value / (size_mm if residual.unit == "mm" else 57.3)
+        # What has no size at all is wrong by any length.
+        return residual.value / (max(size_mm, 1e-300) if residual.unit == "mm" else 57.3)
 
     if isinstance(residuals, Residuals):
         # Most hold to the last digits: look at the others only.

@@ -35,7 +35,7 @@ from .least_squares import EXACT_COST, Minimum, minimise
 from .problem import Problem, build_problem
 from .structure import Structure, build_structure
 from .values import Stop
-from .world import camera_above_ground, nothing_sinks
+from .world import camera_above_ground, ground_indices, nothing_sinks
 
 #: A first view that misses the drawing by this part of its diagonal (RMS) makes doubtful whether
 #: the annotations are true; a result that does so is looked at more closely.
@@ -118,7 +118,7 @@ def reading_of(graph: SketchGraph, lifted: Candidate) -> Reading:
         misfit=misfit / drawn_diagonal(full.problem) ** 2,
         n_observed=observed,
         n_free=4 + full.m - 1 - turning - held,
-        plausible=lifted.above
+        plausible=(lifted.above or not ground_indices(graph))
         and lifted.minimum.converged
         and nothing_sinks(graph, full.problem, x),
         converged=lifted.minimum.converged,

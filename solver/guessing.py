@@ -38,7 +38,7 @@ REFINEMENTS = 12
 #: drawing's diagonal.
 LEAN, STRAY = 0.035, 0.015
 #: How far drawn lines lean (rad), against which the usual focal length is weighed.
-USUAL_LEAN = 0.03
+USUAL_LEAN = 0.015
 MOST_LEAN = 0.25
 #: An axis is told from another one where that fits so many times worse.
 TOLD_APART = 2.0
@@ -63,8 +63,8 @@ def guesses(graph: SketchGraph, problem: Problem) -> Iterator[SketchGraph]:
         if key in told or len(told) == MAX_GUESSES:
             continue
         told.append(key)
-        more = _saying(graph, problem, axis)
-        if more is not None:
+        more = _saying(graph, problem, axis, drawn)
+        if len(more.annotations) > len(graph.annotations):
             yield more
 
 
@@ -172,7 +172,30 @@ def _without_names(axis: IntArray) -> frozenset[tuple[int, int]]:
     return frozenset(renamed)
 
 
-def _saying(graph: SketchGraph, problem: Problem, axis: IntArray) -> SketchGraph | None:
+def _saying(graph: SketchGraph, problem: Problem, axis: IntArray, drawn: _Lines) -> SketchGraph:
+    """As much of it said as agrees with the annotations, the longest drawn edges first.
+
+    Short edges are taken for others most easily.
+    """
+    order = np.argsort(-drawn.lengths)
+    order = order[axis[order] >= 0]
+
+    def saying(count: int) -> SketchGraph:
+        some = np.full_like(axis, -1)
+        some[order[:count]] = axis[order[:count]]
+        return _with_axes(graph, problem, some)
+
+    low, high = 0, len(order) + 1
+    while high - low > 1:
+        middle = (low + high) // 2 if high <= len(order) else len(order)
+        if build_structure(saying(middle)).contradiction:
+            high = middle
+        else:
+            low = middle
+    return saying(low)
+
+
+def _with_axes(graph: SketchGraph, problem: Problem, axis: IntArray) -> SketchGraph:
     """The graph with the edges of each axis said to be parallel, and square to the others."""
     edges = list(graph.edges)
     along = [[edges[i] for i in np.flatnonzero(axis == k).tolist()] for k in range(3)]
@@ -181,8 +204,7 @@ def _saying(graph: SketchGraph, problem: Problem, axis: IntArray) -> SketchGraph
     annotations = dict(graph.annotations)
     for annotation in said:
         annotations[fresh_id("guess", annotations)] = annotation
-    more = replace(graph, annotations=annotations)
-    return None if not said or build_structure(more).contradiction else more
+    return replace(graph, annotations=annotations)
 
 
 def _corners(graph: SketchGraph, problem: Problem, axis: IntArray) -> Iterator[RightAngle]:

@@ -18,6 +18,7 @@ import numpy as np
 
 from .annotations import Diameter, Length
 from .diagnosis import (
+    MANY_UNKNOWNS,
     Reading,
     Relaxed,
     contradicts,
@@ -33,13 +34,13 @@ from .full import FullProblem, Pose
 from .graph import SketchGraph
 from .least_squares import EXACT_COST, Minimum, minimise
 from .problem import Problem, build_problem
-from .structure import Structure, build_structure
+from .structure import build_structure
 from .values import Stop
 from .world import camera_above_ground, ground_indices, nothing_sinks
 
 #: A first view that misses the drawing by this part of its diagonal (RMS) makes doubtful whether
 #: the annotations are true; a result that does so is looked at more closely.
-DOUBTFUL_RMS, CLOSER_LOOK_RMS = 0.03, 0.012
+DOUBTFUL_RMS, CLOSER_LOOK_RMS, SMALL_LOOK_RMS = 0.03, 0.012, 0.0095
 #: So much has to speak against an annotation for a closer look (Bayesian information).
 SUSPICIOUS = 12.0
 #: Further from the drawing than this nobody draws: an annotation that asks for it is not true.
@@ -119,7 +120,7 @@ def reading_of(graph: SketchGraph, lifted: Candidate) -> Reading:
         n_observed=observed,
         n_free=4 + full.m - 1 - turning - held,
         plausible=(lifted.above or not ground_indices(graph))
-        and lifted.minimum.converged
+        and (lifted.minimum.converged or is_held(lifted))
         and nothing_sinks(graph, full.problem, x),
         converged=lifted.minimum.converged,
     )
@@ -138,38 +139,51 @@ def is_doubtful(graph: SketchGraph, lifted: Candidate) -> bool:
     return bool(rms > DOUBTFUL_RMS)
 
 
-def needs_a_closer_look(graph: SketchGraph, lifted: Candidate) -> bool:
-    """Whether a result is so far from the drawing, or an annotation so suspicious."""
+def needs_a_closer_look(graph: SketchGraph, lifted: Candidate, *, dragging: bool = False) -> bool:
+    """Whether a result is so far from the drawing, or an annotation so suspicious.
+
+    Small sketches hide a false annotation most easily and are soonest looked at; while one is
+    dragged, what was found before stays.
+    """
     if lifted.minimum.cost <= EXACT_COST and lifted.minimum.converged:
         return False
-    if reading_of(graph, lifted).rms > CLOSER_LOOK_RMS:
+    problem = lifted.problem
+    small = 3 * (len(problem.points) + len(problem.circles)) <= MANY_UNKNOWNS
+    far = SMALL_LOOK_RMS if small and not dragging else CLOSER_LOOK_RMS
+    if reading_of(graph, lifted).rms > far:
         return True
     found = leftover_suspects(graph, lifted.full, lifted.minimum.x)
     return bool(found) and found[0].weight > SUSPICIOUS
 
 
 def find_blame(
-    graph: SketchGraph, structure: Structure, lifted: Candidate, stop: Stop, *, lost: bool
+    graph: SketchGraph,
+    lifted: Candidate,
+    stop: Stop,
+    *,
+    lost: bool,
+    afresh: Callable[[str], Candidate | None] | None = None,
 ) -> Blame | None:
     """Which annotation contradicts the drawing and the others, if one does.
 
     Parameters
     ----------
     graph : SketchGraph
-    structure : Structure
     lifted : Candidate
         The best shape found so far.
     stop : callable
     lost : bool
         Whether that is so bad that it is no place to look around from.
+    afresh : callable, optional
+        Solves without an annotation, from nothing; else from where they all give way.
     """
     relaxed = relax(graph, lifted.problem, lifted.minimum.x, lost=lost)
     if relaxed is None:
         return None
-    shapes: dict[str, Near] = {}
+    shapes: dict[str, Candidate] = {}
 
     def attempt(id_: str) -> Reading | None:
-        found = lift_near(without(graph, id_), relaxed, stop)
+        found = afresh(id_) if afresh else lift_near(without(graph, id_), relaxed, stop)
         if found is None:
             return None
         shapes[id_] = found
@@ -183,12 +197,16 @@ def find_blame(
     if again is not None and again.misfit < whole.misfit:
         whole = again
         against = [(id_, r) for id_, r in against if contradicts(whole, r)]
-    if not against:
-        return None
+    return _blame(graph, lifted.problem, whole, against) if against else None
+
+
+def _blame(
+    graph: SketchGraph, problem: Problem, whole: Reading, against: list[tuple[str, Reading]]
+) -> Blame:
     best = against[0][1]
     fall = whole.information - best.information
     ids = tuple(id_ for id_, r in against if whole.information - r.information > fall / 2)
-    px = drawn_diagonal(lifted.problem) * lifted.problem.px_per_unit
+    px = drawn_diagonal(problem) * problem.px_per_unit
     missed = (
         f"with it the drawing is missed by {whole.rms * px:.2g} px, "
         f"without it by {best.rms * px:.2g} px"
@@ -219,7 +237,7 @@ def blame_for_wishes(graph: SketchGraph, ids: tuple[str, ...], whole: Candidate)
     return Blame(ids, words, True, wished=True)
 
 
-def _reading_again(graph: SketchGraph, other: Near, stop: Stop) -> Reading | None:
+def _reading_again(graph: SketchGraph, other: Candidate, stop: Stop) -> Reading | None:
     """All annotations, begun from a shape without one of them."""
     x = other.minimum.x
     in_cam = other.full.positions(x) @ x.R.T
@@ -244,9 +262,13 @@ def lift_near(graph: SketchGraph, near: Relaxed, stop: Stop) -> Near | None:
 
 def is_settled(lifted: Candidate) -> bool:
     """Whether the full step came to its end, with all annotations held and no part flown off."""
+    return lifted.minimum.converged and is_held(lifted)
+
+
+def is_held(lifted: Candidate) -> bool:
+    """Whether all annotations hold and no part flew off, be it the best such shape or not."""
     h, _ = lifted.full.constraints(lifted.minimum.x)
-    held = float(np.abs(h).max(initial=0.0)) < HELD
-    return lifted.minimum.converged and held and _is_together(lifted)
+    return float(np.abs(h).max(initial=0.0)) < HELD and _is_together(lifted)
 
 
 def _is_together(lifted: Candidate) -> bool:

@@ -135,7 +135,7 @@ def _solve(
     effort.weigh(structure.n_coordinates + conditions)
     tell(0.1, "looking for the camera and the shape")
     near = None if start is None else lift_near(core, structure, start, effort)
-    if near is not None and not needs_a_closer_look(core, near):
+    if near is not None and not needs_a_closer_look(core, near, dragging=True):
         return _describe(graph, core, _reading_asked_for(core, near, effort, twin=twin))
     lifted, blamed = _lift_or_blame(core, structure, effort)
     if lifted is None:
@@ -221,7 +221,10 @@ def _lift_or_blame(
         return lifted, None
     blamed = None
     for lost in (False, True)[lifted.doubtful :]:
-        blamed = blamed or find_blame(core, structure, lifted, stop, lost=lost)
+        blamed = blamed or find_blame(core, lifted, stop, lost=lost)
+    if blamed is None and reading_of(core, lifted).rms > GROSS_RMS:
+        afresh = partial(_lift_without, core, stop=stop)
+        blamed = find_blame(core, lifted, stop, lost=True, afresh=afresh)
     wished = _as_wished(core, structure, lifted, blamed, stop)
     if wished is not None:
         return wished

@@ -5,10 +5,18 @@ from .blame import Reading, contradicts, convict
 from .clashes import clashing_annotations, find_clash, without
 from .freedoms import Freedoms, freedoms
 from .precision import UNSURE_SIZE_SIGMA, focal_sigma, size_sigmas
-from .suspects import Relaxed, beginnings, leftover_suspects, relax, spring_stiffness
+from .suspects import (
+    MANY_UNKNOWNS,
+    Relaxed,
+    beginnings,
+    leftover_suspects,
+    relax,
+    spring_stiffness,
+)
 from .unmet import size_of, unmet_annotations
 
 __all__ = [
+    "MANY_UNKNOWNS",
     "UNSURE_SIZE_SIGMA",
     "Freedoms",
     "Reading",

@@ -20,11 +20,13 @@ from .suspects import HAND_SIGMA
 MAX_TRIED = 4
 COMPARABLE = 0.25
 #: An annotation counts as contradicting the drawing where chance would do as much with this
-#: probability, and the drawing is missed by at least this part of its diagonal (RMS).
+#: probability, and the drawing is missed by at least this part of its diagonal (RMS): half a pixel.
 CHANCE, CHANCE_AS_DRAWN = 1e-5, 2e-3
+NOTICEABLE = 0.0007
 #: How many observations the knowledge of how people draw counts for.
 USUAL_COUNT = 6
-NOTICEABLE = 0.005
+#: A careless hand strays so far.
+CARELESS = 0.012
 #: Drawings are no better than this, in parts of their diagonal.
 FINEST = 1e-5
 
@@ -58,6 +60,11 @@ class Reading:
         return float(np.sqrt(2 * self.misfit / max(1, self.n_observed)))
 
     @property
+    def explains(self) -> bool:
+        """Whether the drawing is followed as well as a hand can be expected to draw."""
+        return self.plausible and self.rms < CARELESS
+
+    @property
     def information(self) -> float:
         """Bayesian information: small for readings that follow the drawing with few freedoms."""
         n = self.n_observed
@@ -82,7 +89,7 @@ def convict(
     heaviest = 0.0
     for id_, weight in list(suspects)[:MAX_TRIED]:
         heaviest = max(heaviest, weight)
-        if weight < COMPARABLE * heaviest and any(r.plausible for _, r in tried):
+        if weight < COMPARABLE * heaviest and any(r.explains for _, r in tried):
             break
         reading = attempt(id_)
         if reading is not None:

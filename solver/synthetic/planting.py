@@ -16,6 +16,7 @@ import numpy as np
 
 from ..annotations import (
     Annotation,
+    Diameter,
     EqualLength,
     Ground,
     Length,
@@ -27,6 +28,7 @@ from ..annotations import (
 from ..graph import Face, SketchGraph
 from .photographs import Photograph
 from .shapes import Shape, v
+from .turned import Turned
 
 #: The id of the planted annotation.
 PLANTED = "planted"
@@ -53,12 +55,30 @@ def planted(photo: Photograph, rng: np.random.Generator, kind: str) -> SketchGra
     if not offered:
         return None
     false = offered[int(rng.integers(len(offered)))]
-    said = list(graph.annotations.items())
     if isinstance(false, Length):
         # Of two lengths that disagree either may be wrong: a third one decides.
         true = [a for a in _true_lengths(photo.shape) if a.edge != false.edge]
-        said.append(("true_length", true[int(rng.integers(len(true)))]))
-    # Not always the last one said.
+        graph = _saying(graph, "true_length", true[int(rng.integers(len(true)))])
+    return _somewhere_among(graph, false, rng)
+
+
+def planted_diameter(graph: SketchGraph, turned: Turned, rng: np.random.Generator) -> SketchGraph:
+    """A surface of revolution with a false diameter, one that is true and that which was given."""
+    k = int(rng.choice([1, 2]))
+    factor = np.exp(rng.choice([-1, 1]) * rng.uniform(OFF_LENGTH, 0.7))
+    graph = _saying(graph, "true_diameter", Diameter(f"c{3 - k}", 2 * turned.circles[3 - k][0]))
+    return _somewhere_among(graph, Diameter(f"c{k}", 2 * turned.circles[k][0] * factor), rng)
+
+
+def _saying(graph: SketchGraph, id_: str, annotation: Annotation) -> SketchGraph:
+    return replace(graph, annotations={**graph.annotations, id_: annotation})
+
+
+def _somewhere_among(
+    graph: SketchGraph, false: Annotation, rng: np.random.Generator
+) -> SketchGraph:
+    """Not always the last one said."""
+    said = list(graph.annotations.items())
     said.insert(int(rng.integers(len(said) + 1)), (PLANTED, false))
     return replace(graph, annotations=dict(said))
 

@@ -14,7 +14,8 @@ from incontext.solver.annotations import EqualLength, Ground, Length, Parallel
 from incontext.solver.diagnosis import find_clash
 from incontext.solver.solution import Status
 from incontext.solver.structure import build_structure
-from incontext.solver.synthetic.planting import KINDS, PLANTED, planted
+from incontext.solver.synthetic import photograph_turned, random_lid, table
+from incontext.solver.synthetic.planting import KINDS, PLANTED, planted, planted_diameter
 
 NOISES = (0.0, 0.002, 0.005, 0.01)
 
@@ -36,7 +37,33 @@ def test_the_false_annotation_is_named():
             conflicts = solve(sketch_with_a_false_annotation(kind, seed)).report.conflicts
             ranks.append(conflicts.index(PLANTED) if PLANTED in conflicts else 99)
     assert np.mean(np.array(ranks) == 0) >= 0.85
-    assert np.mean(np.array(ranks) < 3) >= 0.95
+    assert np.mean(np.array(ranks) < 3) >= 0.97
+
+
+def test_a_false_diameter_is_named():
+    for seed in range(6):
+        rng = np.random.default_rng(seed)
+        lid = random_lid(rng)
+        graph, _ = photograph_turned(lid, rng, noise=NOISES[seed % len(NOISES)])
+        solution = solve(planted_diameter(graph, lid, rng))
+        assert solution.report.conflicts[:1] == (PLANTED,)
+        assert PLANTED in solution.message
+
+
+def test_a_false_annotation_in_a_nearly_exact_drawing_is_named():
+    # Half a pixel is more than this drawing can be off.
+    rng = np.random.default_rng(0)
+    shape = table()
+    said = {**shape.annotations, "wrong": Length("e71", 21.0), "true": Length("e9", 20.0)}
+    solution = solve(photograph(replace(shape, annotations=said), rng).graph)
+    assert solution.report.conflicts == ("wrong",)
+
+
+def test_a_length_in_proportion_is_no_conflict():
+    shape = box()
+    said = {**shape.annotations, "deep": Length("e1", 150.0 * 1.0001)}
+    solution = solve(photograph(replace(shape, annotations=said), np.random.default_rng(3)).graph)
+    assert solution.report.conflicts == ()
 
 
 @pytest.mark.parametrize("noise", [0.0, 0.01])

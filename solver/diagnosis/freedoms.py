@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..full import FullProblem, Pose
+from ..geometry import cross
 from ..values import Array
 
 #: Up to so many unknowns the null space is taken from the Jacobian itself.
@@ -70,9 +71,14 @@ def _null_space(A: Array) -> Array:
 
 def _loose(full: FullProblem, x: Pose, null: Array, names: list[str]) -> tuple[str, ...]:
     """The vertices that move against the largest part that grows and shrinks as one."""
-    X = full.positions(x)
-    motion = null[:, 4:][:, full.coordinate]  # (freedoms, n, 3)
-    growth = np.einsum("fnk,nk->nf", motion, X) / np.maximum((X**2).sum(axis=1), 1e-300)[:, None]
+    X = full.positions(x) @ x.R.T
+    middle = X.mean(axis=0)
+    # In the camera's frame: own moves, the turn about the middle, and the dolly of a new focal
+    # length.
+    motion = null[:, 4:][:, full.coordinate] @ x.R.T  # (freedoms, n, 3)
+    motion += cross(null[:, None, :3], X - middle)
+    motion[..., 2] -= np.exp(x.log_focal) * middle[2] * null[:, 3, None]
+    growth = (motion[..., 2] / X[:, 2]).T
     # Freedoms of all sizes count alike.
     U, s, _ = np.linalg.svd(growth, full_matrices=False)
     steps = np.round(U[:, s > NULL_TOLERANCE * max(float(s[0]), 1e-300)], 5)

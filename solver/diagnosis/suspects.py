@@ -26,7 +26,7 @@ from ..initial import USUAL_LOG_FOCAL, lift_linear, starts
 from ..least_squares import Evaluation
 from ..problem import Problem, build_problem
 from ..structure import Structure, build_structure
-from ..values import Array
+from ..values import Array, IntArray
 
 #: How far a hand strays from the line that it means, RMS in parts of the drawing's diagonal.
 HAND_SIGMA = 0.007
@@ -144,16 +144,17 @@ def spring_stiffness(problem: Problem) -> float:
 
 
 def softened(graph: SketchGraph, problem: Problem) -> FullProblem:
-    """The soft problem: no coordinate is shared."""
+    """The soft problem: no coordinate is shared but those of circles on one axis."""
     tied = problem.structure
-    n = len(problem.points) + len(problem.circles)
+    coordinate = _unshared(graph, tied)
+    n_free = int(coordinate.max(initial=-1)) + 1
     free: Structure = replace(
         tied,
         edge_axis=np.full_like(tied.edge_axis, -1),
         edge_across=np.zeros_like(tied.edge_across),
-        coordinate=np.arange(3 * n).reshape(n, 3),
-        radius=3 * n + np.arange(len(tied.radius)),
-        n_coordinates=3 * n + len(tied.radius),
+        coordinate=coordinate,
+        radius=n_free + np.arange(len(tied.radius)),
+        n_coordinates=n_free + len(tied.radius),
         # Circles know their normal by it.
         vertical=tied.vertical if len(tied.radius) else None,
         has_axes=False,
@@ -166,6 +167,18 @@ def softened(graph: SketchGraph, problem: Problem) -> FullProblem:
     return FullProblem(build_problem(graph, free), prior)
 
 
+def _unshared(graph: SketchGraph, tied: Structure) -> IntArray:
+    """Coordinates of all points, each its own; that circles stand on one axis nobody annotated."""
+    coordinate = np.arange(tied.coordinate.size).reshape(tied.coordinate.shape)
+    centre = {c: len(graph.vertices) + k for k, c in enumerate(graph.circles)}
+    level = [k for k in range(3) if k != tied.vertical]
+    for r in graph.revolutions.values():
+        on_axis = [centre[c] for c in (r.ground, r.bottom, r.top)]
+        coordinate[np.ix_(on_axis, level)] = coordinate[np.ix_(on_axis[:1], level)]
+    _, names = np.unique(coordinate, return_inverse=True)
+    return np.asarray(names.reshape(coordinate.shape), dtype=np.int64)
+
+
 def begin(soft: Problem, tied: Structure, pose: Pose) -> Pose | None:
     """Each vertex on its ray, as deep as it was."""
     seen = np.vstack([soft.points, soft.circles.centres])
@@ -176,7 +189,9 @@ def begin(soft: Problem, tied: Structure, pose: Pose) -> Pose | None:
     depth = np.clip(depth, 0.3 * usual, 3 * usual)
     rays = np.hstack([seen / np.exp(pose.log_focal), np.ones((len(seen), 1))])
     X = (rays * depth[:, None]) @ pose.R
-    return Pose(pose.R, pose.log_focal, np.concatenate([X.reshape(-1), pose.g[tied.radius]]))
+    places = soft.structure.coordinate.reshape(-1)
+    free = np.bincount(places, X.reshape(-1)) / np.bincount(places)
+    return Pose(pose.R, pose.log_focal, np.concatenate([free, pose.g[tied.radius]]))
 
 
 def other_beginnings(graph: SketchGraph, soft: Problem) -> list[Pose]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import math
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -32,7 +33,8 @@ def add_camera(commands: Any) -> None:
     text = (
         "Find the camera from a marker, or any rectangle of known size, that lies on the ground. "
         "For a sketch, it is written into it; for a photo, a new sketch is written with -o, else "
-        "the camera is printed."
+        "the camera is printed. Without --size, a sketch's lines traced on real things (its "
+        "construction geometry) are judged one by one, and the camera that they lead to is said."
     )
     command = commands.add_parser(
         "camera", help="find the camera from a marker in the photo", description=text
@@ -43,7 +45,6 @@ def add_camera(commands: Any) -> None:
         "--size",
         metavar="MM",
         type=_size,
-        required=True,
         help="of the marker's black square, or both sides of a rectangle: 100, 297x210, A4, A5, "
         "letter, card",
     )
@@ -101,6 +102,8 @@ def _camera(arguments: argparse.Namespace) -> int:
     from .marker_finding import camera_of_corners, seen_corners
 
     is_photo = arguments.input.suffix.lower() in _PICTURES
+    if arguments.size is None:
+        return _judge_lines(arguments.input, is_photo=is_photo)
     graph, grey = (_of_photo if is_photo else _of_sketch)(arguments.input)
     photo = _photo_of(graph, arguments.focal)
     try:
@@ -121,6 +124,36 @@ def _camera(arguments: argparse.Namespace) -> int:
     # What is printed may be read by a program: words go beside it.
     for line in camera_words(found, photo):
         print(line, file=sys.stderr if output is None else sys.stdout)
+    return 0
+
+
+def _judge_lines(path: Path, *, is_photo: bool) -> int:
+    """Say what the traced lines of a sketch tell, and how well each agrees."""
+    from ..solver import load_sketch, solve
+    from ..solver.errors import SketchError
+    from ..solver.vanishing_points import traced_lines
+
+    if is_photo:
+        raise SketchError("of a photo alone the size is asked", (), "--size 100")
+    graph = load_sketch(path)
+    solution = solve(graph)
+    traced = traced_lines(graph, solution)
+    if solution.camera is None or not traced.lines:
+        raise SketchError(
+            "no line is traced on a real thing, or the sketch cannot be solved",
+            (),
+            "construction lines along what is in the photo, or --size of a rectangle",
+        )
+    print(f"camera: {solution.camera.focal_px:.0f} px focal length; {solution.message}")
+    for bundle in traced.bundles:
+        sure = math.degrees(bundle.sigma_rad)
+        told = f"tell their direction to {sure:.1f} degrees" if sure < 90 else "tell no direction"
+        print(f"{', '.join(bundle.edges)}: {told}")
+        for edge in bundle.edges:
+            line = traced.lines[edge]
+            print(f"  {edge}: {line.off_px:.1f} px, {math.degrees(line.off_rad):.2f} degrees off")
+    for note in traced.notes:
+        print(f"note: {note}")
     return 0
 
 

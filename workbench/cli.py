@@ -206,6 +206,7 @@ def _solution_text(solution: Solution) -> bytes:
 def _check(arguments: argparse.Namespace) -> int:
     from ..solver import findings, solve
     from ..solver.solution import Status
+    from ..solver.vanishing_points import traced_lines
     from .photos import photo_problem
 
     graph = _load(arguments.sketch)
@@ -215,6 +216,7 @@ def _check(arguments: argparse.Namespace) -> int:
         solution = solve(graph)
         if solution.status is not Status.CONVERGED:
             found.insert(0, ("error", solution.message))
+        found += [("warning", note) for note in traced_lines(graph, solution).notes]
     problem = photo_problem(graph, arguments.sketch)
     if problem:
         found.append(("warning", problem))

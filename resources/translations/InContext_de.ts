@@ -1052,6 +1052,14 @@
         <translation>Die Skizze, die in 3D gehoben wird</translation>
     </message>
     <message>
+        <source>The traced line {} is {} px ({} degrees) off the perspective of the rest: check it.</source>
+        <translation>Die nachgezeichnete Linie {} liegt {} px ({} Grad) neben der Perspektive der übrigen: prüfen.</translation>
+    </message>
+    <message>
+        <source>The traced lines {} are too nearly parallel in the photo to tell where they meet: trace others further apart, or use a marker.</source>
+        <translation>Die nachgezeichneten Linien {} sind im Foto zu parallel, um zu verraten, wo sie sich treffen: weiter auseinander liegende nachzeichnen oder eine Marke verwenden.</translation>
+    </message>
+    <message>
         <source>There is no photo: choose one first.</source>
         <translation>Es gibt kein Foto: zuerst eines wählen.</translation>
     </message>
@@ -1304,6 +1312,10 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
     <message>
         <source>{0} cannot hold: try removing {0}.</source>
         <translation>{0} kann nicht gelten: {0} versuchsweise entfernen.</translation>
+    </message>
+    <message>
+        <source>{0} traced lines, the worst ({1}) {2:.1f} px off.</source>
+        <translation>{0} nachgezeichnete Linien, die schlechteste ({1}) {2:.1f} px daneben.</translation>
     </message>
     <message>
         <source>{0}: edge {1}, from {2} to {3}</source>

@@ -1052,6 +1052,14 @@
         <translation>3D に起こすスケッチ</translation>
     </message>
     <message>
+        <source>The traced line {} is {} px ({} degrees) off the perspective of the rest: check it.</source>
+        <translation>なぞった線 {} は他の線の遠近から {} px（{} 度）ずれています。確かめてください。</translation>
+    </message>
+    <message>
+        <source>The traced lines {} are too nearly parallel in the photo to tell where they meet: trace others further apart, or use a marker.</source>
+        <translation>なぞった線 {} は写真の中でほぼ平行なので、どこで交わるか分かりません。もっと離れた線をなぞるか、マーカーを使ってください。</translation>
+    </message>
+    <message>
         <source>There is no photo: choose one first.</source>
         <translation>写真がありません。先に選んでください。</translation>
     </message>
@@ -1304,6 +1312,10 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
     <message>
         <source>{0} cannot hold: try removing {0}.</source>
         <translation>{0} は成り立ちません。{0} を外してみてください。</translation>
+    </message>
+    <message>
+        <source>{0} traced lines, the worst ({1}) {2:.1f} px off.</source>
+        <translation>なぞった線 {0} 本、最大のずれは {1} の {2:.1f} px です。</translation>
     </message>
     <message>
         <source>{0}: edge {1}, from {2} to {3}</source>

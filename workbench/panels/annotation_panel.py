@@ -10,6 +10,7 @@ from ..canvas.lengths import parse_length
 from ..canvas.preview import Selection
 from ..canvas.qt import QtCore, QtGui
 from . import annotation_texts as texts
+from . import traced_texts
 
 if TYPE_CHECKING:
     from ...solver.graph import SketchGraph
@@ -43,11 +44,13 @@ class AnnotationPanel(QtGui.QWidget):
         self._status.linkActivated.connect(self._go)
         self._counts = QtGui.QLabel()
         self._counts.setWordWrap(True)
+        self._traced = QtGui.QLabel()
+        self._traced.setWordWrap(True)
         self._suggested = QtGui.QPushButton()
         self._suggested.clicked.connect(self._take_all)
         layout = QtGui.QVBoxLayout(self)
         layout.setContentsMargins(4, 4, 4, 4)
-        for widget in (self._status, self._list, self._suggested, self._counts):
+        for widget in (self._status, self._list, self._traced, self._suggested, self._counts):
             layout.addWidget(widget)
         self._soon = QtCore.QTimer(self)
         self._soon.setSingleShot(True)
@@ -142,9 +145,18 @@ class AnnotationPanel(QtGui.QWidget):
         words = host.translate("InContext", "Take all {} suggestions (Y)")
         self._suggested.setText(words.format(len(suggestions)))
         self._suggested.setVisible(bool(suggestions))
+        self._say_of_traced()
         counts = "" if controller is None else controller.parameter_words()
         self._counts.setText(counts)
         self._counts.setVisible(bool(counts))
+
+    def _say_of_traced(self) -> None:
+        """How well the lines that are traced on real things agree; each of them in the tooltip."""
+        lift = None if self.controller is None else self.controller.lift
+        words, each = ("", "") if lift is None else traced_texts.words_of(*lift)
+        self._traced.setText(words)
+        self._traced.setToolTip(each)
+        self._traced.setVisible(bool(words))
 
     def _take_all(self) -> None:
         if self.controller is not None:

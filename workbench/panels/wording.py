@@ -42,6 +42,9 @@ SENTENCES = (
     "and check the grid on the ground.",
     "The corners do not tell which side is the longer one: check the grid on the ground, or keep "
     "the photo's EXIF data.",
+    "The traced line {} is {} px ({} degrees) off the perspective of the rest: check it.",
+    "The traced lines {} are too nearly parallel in the photo to tell where they meet: trace "
+    "others further apart, or use a marker.",
 )
 #: The words between the last two ids of a list.
 JOINTS = ("and", "or")

@@ -33,3 +33,12 @@ if "incontext" not in _sys.modules:
     from incontext.workbench.features import waking as _waking
 
     _waking.start()
+
+    # File > Export. Only names: the module is imported when one of these is chosen.
+    import FreeCAD as _FreeCAD
+
+    for _kind in (
+        "Plates to cut - Modeling in Context (*.dxf *.svg *.pdf)",
+        "Solid to print - Modeling in Context (*.stl *.3mf)",
+    ):
+        _FreeCAD.addExportType(_kind, "incontext.workbench.features.exporting")

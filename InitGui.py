@@ -28,6 +28,7 @@ class InContextWorkbench(FreeCADGui.Workbench):
         from incontext.workbench import host
         from incontext.workbench.commands import register_commands
         from incontext.workbench.commands.tools import register_tools
+        from incontext.workbench.panels.preset_page import PresetPage
 
         names, tools = register_commands(), register_tools()
         ours = host.translate("InContext", "Modeling in &Context")
@@ -38,6 +39,7 @@ class InContextWorkbench(FreeCADGui.Workbench):
         self.appendMenu([ours, sketching], tools)
         FreeCADGui.addIconPath(host.resource("icons"))
         FreeCADGui.addPreferencePage(host.resource("ui", "preferences.ui"), "Modeling in Context")
+        FreeCADGui.addPreferencePage(PresetPage, "Modeling in Context")
 
     def Activated(self):  # noqa: N802
         """Nothing to do; FreeCAD asks for it."""

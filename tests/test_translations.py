@@ -31,7 +31,7 @@ _NAMES = """
     Exploded Fit Assembly Status Message Wall Proxy Shell Solid Printer Tolerance Bed Object Hidden
     Vertex Edge Marker Check Checked Things Fits Stands Standing Overlap Support Visibility Plays
 """
-NAMES = {*_NAMES.split(), "Shown dimensions", "Shown angles"}
+NAMES = {*_NAMES.split(), "Shown dimensions", "Shown dimensions: angles"}
 
 
 def no_texts(tree: ast.Module) -> set[int]:

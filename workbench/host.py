@@ -64,6 +64,11 @@ def python_command() -> str:
     return f"python{sys.version_info.major}.{sys.version_info.minor}"
 
 
+def user_folder() -> str:
+    """Where a person's own files for FreeCAD lie; the current folder outside FreeCAD."""
+    return "." if FreeCAD is None else str(FreeCAD.getUserAppDataDir())
+
+
 def packages_folder() -> str:
     """Where FreeCAD looks for packages that a person installs."""
     if FreeCAD is None:

@@ -4,6 +4,10 @@
 <context>
     <name>InContext</name>
     <message>
+        <source>"makes" says neither plates nor print</source>
+        <translation>"makes" nennt weder plates noch print</translation>
+    </message>
+    <message>
         <source>210, 21 cm, 3/4 in</source>
         <translation>210, 21 cm, 3/4 in</translation>
     </message>
@@ -84,6 +88,14 @@
         <translation>Passung prüfen</translation>
     </message>
     <message>
+        <source>Choose a folder</source>
+        <translation>Ordner wählen</translation>
+    </message>
+    <message>
+        <source>Choose a folder for the fit test</source>
+        <translation>Ordner für den Passungstest wählen</translation>
+    </message>
+    <message>
         <source>Choose a folder for the plates</source>
         <translation>Ordner für die Platten wählen</translation>
     </message>
@@ -102,6 +114,14 @@
     <message>
         <source>Choose the photo of the place where the new object will live; it is kept inside the document</source>
         <translation>Das Foto des Ortes wählen, an dem das neue Objekt stehen wird; es wird im Dokument gespeichert</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>Wählen...</translation>
+    </message>
+    <message>
+        <source>Choosing one sets the values that suit it; they can be edited all the same</source>
+        <translation>Eine Wahl setzt die passenden Werte; sie können trotzdem geändert werden</translation>
     </message>
     <message>
         <source>Circle</source>
@@ -396,6 +416,10 @@
         <translation>Gleiche Längen</translation>
     </message>
     <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
         <source>Export a PDF in true size too</source>
         <translation>Auch ein PDF in wahrer Größe ausgeben</translation>
     </message>
@@ -404,8 +428,16 @@
         <translation>Auch eine Passprobe mit diesen Einstellungen ausgeben</translation>
     </message>
     <message>
+        <source>Export plates</source>
+        <translation>Platten exportieren</translation>
+    </message>
+    <message>
         <source>Export plates...</source>
         <translation>Platten exportieren …</translation>
+    </message>
+    <message>
+        <source>Export print</source>
+        <translation>Druck exportieren</translation>
     </message>
     <message>
         <source>Export print...</source>
@@ -442,6 +474,10 @@
     <message>
         <source>Fix the length of edges, the diameter of circles or the height of vertices selected in 3D, to type it anew among the model's dimensions; fixed ones follow the drawing again</source>
         <translation>Legt die Länge von Kanten, den Durchmesser von Kreisen oder die Höhe von Punkten fest, die in 3D ausgewählt sind, um sie unter den Maßen des Modells neu einzugeben; festgelegte folgen wieder der Zeichnung</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
     </message>
     <message>
         <source>Follows from the others</source>
@@ -616,6 +652,10 @@
         <translation>Lose oder dünn</translation>
     </message>
     <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
         <source>Make a small comb with notches of different play and a tab, with the settings of the plates: cut it first; selected, it is written by Export plates</source>
         <translation>Einen kleinen Kamm mit Kerben verschiedenen Spiels und einen Zapfen erzeugen, mit den Einstellungen der Platten: zuerst schneiden; ausgewählt wird sie von „Platten exportieren“ geschrieben</translation>
     </message>
@@ -676,6 +716,10 @@
         <translation>Marke: das schwarze Quadrat misst {}</translation>
     </message>
     <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
         <source>Merge vertices</source>
         <translation>Punkte vereinen</translation>
     </message>
@@ -694,6 +738,10 @@
     <message>
         <source>Move vertex</source>
         <translation>Punkt verschieben</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
     </message>
     <message>
         <source>New sketch from a photo</source>
@@ -736,6 +784,14 @@
         <translation>Auf dem Foto ist nichts nachgezeichnet, wozu es passen soll. Vorhandenes mit Linie, Quader oder Kreis zeichnen und mit X zu Hilfsgeometrie machen.</translation>
     </message>
     <message>
+        <source>Of new plates</source>
+        <translation>Neuer Platten</translation>
+    </message>
+    <message>
+        <source>Of new shelled solids</source>
+        <translation>Neuer Hohlkörper</translation>
+    </message>
+    <message>
         <source>Of the object alone</source>
         <translation>Des Gegenstands allein</translation>
     </message>
@@ -776,16 +832,16 @@
         <translation>Andere Verbindungen an einigen Kanten, etwa e5=butt oder f1:f2=finger,finger=8,owner=f1; Arten: auto, finger, butt, half_lap, tab_slot, none</translation>
     </message>
     <message>
+        <source>PDF (*.pdf);;SVG (*.svg)</source>
+        <translation>PDF (*.pdf);;SVG (*.svg)</translation>
+    </message>
+    <message>
         <source>Parallel</source>
         <translation>Parallel</translation>
     </message>
     <message>
         <source>Parameter numbers</source>
         <translation>Anzahl der Parameter</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf);;SVG (*.svg)</source>
-        <translation>PDF (*.pdf);;SVG (*.svg)</translation>
     </message>
     <message>
         <source>Photo</source>
@@ -802,6 +858,14 @@
     <message>
         <source>Plates</source>
         <translation>Platten</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Vorgaben</translation>
+    </message>
+    <message>
+        <source>Presets of your own, as .json files like ours, belong in {}</source>
+        <translation>Eigene Vorgaben gehören als .json-Dateien wie unsere in {}</translation>
     </message>
     <message>
         <source>Print marker</source>
@@ -894,6 +958,10 @@
     <message>
         <source>Show the plates apart, the way they are put together</source>
         <translation>Die Platten auseinandergezogen zeigen, wie sie zusammengesetzt werden</translation>
+    </message>
+    <message>
+        <source>Show the sheets and the length of the cuts, and write DXF, SVG, PDF, STEP and lists; where a fit test is selected, write that</source>
+        <translation>Zeigt die Platten auf ihren Tafeln und die Länge der Schnitte und schreibt DXF, SVG, PDF, STEP und Listen; ist ein Passungstest ausgewählt, dann diesen</translation>
     </message>
     <message>
         <source>Show the whole photo (F)</source>
@@ -1226,6 +1294,10 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>zuerst schneiden; die Kerbe, in der der Zapfen gut sitzt, sagt das richtige Spiel</translation>
     </message>
     <message>
+        <source>cutter</source>
+        <translation>Schneidmaschine</translation>
+    </message>
+    <message>
         <source>follows from the drawing and the other dimensions</source>
         <translation>folgt aus der Zeichnung und den anderen Maßen</translation>
     </message>
@@ -1240,6 +1312,14 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
     <message>
         <source>it fits</source>
         <translation>es passt</translation>
+    </message>
+    <message>
+        <source>it has no name of 1 to 60 letters</source>
+        <translation>es hat keinen Namen von 1 bis 60 Zeichen</translation>
+    </message>
+    <message>
+        <source>it is no JSON object</source>
+        <translation>es ist kein JSON-Objekt</translation>
     </message>
     <message>
         <source>it stands</source>
@@ -1266,6 +1346,14 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>oder</translation>
     </message>
     <message>
+        <source>other CAD programs</source>
+        <translation>andere CAD-Programme</translation>
+    </message>
+    <message>
+        <source>parts list</source>
+        <translation>Stückliste</translation>
+    </message>
+    <message>
         <source>photo corner</source>
         <translation>Fotoecke</translation>
     </message>
@@ -1282,8 +1370,24 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>in der Skizze als rechter Winkel angegeben</translation>
     </message>
     <message>
+        <source>scripts</source>
+        <translation>Skripte</translation>
+    </message>
+    <message>
+        <source>select one set of plates or one shelled solid; each goes into a file of its own</source>
+        <translation>bitte einen Satz Platten oder einen Hohlkörper auswählen; jeder kommt in eine eigene Datei</translation>
+    </message>
+    <message>
         <source>select {} first</source>
         <translation>bitte zuerst {} auswählen</translation>
+    </message>
+    <message>
+        <source>slicer</source>
+        <translation>Slicer</translation>
+    </message>
+    <message>
+        <source>slicer, with units</source>
+        <translation>Slicer, mit Einheiten</translation>
     </message>
     <message>
         <source>the Python package {0} is missing; install it with FreeCAD's Addon Manager, or with: {1} -m pip install --target {2} {0}</source>
@@ -1292,6 +1396,10 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
     <message>
         <source>there is no picture in the clipboard; copy one first</source>
         <translation>in der Zwischenablage ist kein Bild; bitte zuerst eines kopieren</translation>
+    </message>
+    <message>
+        <source>true size on paper</source>
+        <translation>wahre Größe auf Papier</translation>
     </message>
     <message>
         <source>type a value or an expression</source>
@@ -1306,12 +1414,24 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>was auf dem Boden liegt, hat keine Höhe, und Gespiegeltes folgt dem Gezeichneten: bitte etwas anderes auswählen</translation>
     </message>
     <message>
+        <source>{0} cannot be written as {1}; there are: {2}</source>
+        <translation>{0} kann nicht als {1} geschrieben werden; es gibt: {2}</translation>
+    </message>
+    <message>
         <source>{0} cannot hold together with {1}: try removing {0}.</source>
         <translation>{0} kann nicht zusammen mit {1} gelten: {0} versuchsweise entfernen.</translation>
     </message>
     <message>
         <source>{0} cannot hold: try removing {0}.</source>
         <translation>{0} kann nicht gelten: {0} versuchsweise entfernen.</translation>
+    </message>
+    <message>
+        <source>{0} is no preset: {1}</source>
+        <translation>{0} ist keine Vorgabe: {1}</translation>
+    </message>
+    <message>
+        <source>{0} plates on {1} sheets ({2}), {3:.2f} m of cuts, about {4} min</source>
+        <translation>{0} Platten auf {1} Tafeln ({2}), {3:.2f} m Schnitte, etwa {4} min</translation>
     </message>
     <message>
         <source>{0} traced lines, the worst ({1}) {2:.1f} px off.</source>

@@ -4,6 +4,10 @@
 <context>
     <name>InContext</name>
     <message>
+        <source>"makes" says neither plates nor print</source>
+        <translation>"makes" が plates でも print でもありません</translation>
+    </message>
+    <message>
         <source>210, 21 cm, 3/4 in</source>
         <translation>210, 21 cm, 3/4 in</translation>
     </message>
@@ -84,6 +88,14 @@
         <translation>適合を確認</translation>
     </message>
     <message>
+        <source>Choose a folder</source>
+        <translation>フォルダーを選択</translation>
+    </message>
+    <message>
+        <source>Choose a folder for the fit test</source>
+        <translation>はめあいテストのフォルダーを選択</translation>
+    </message>
+    <message>
         <source>Choose a folder for the plates</source>
         <translation>板の保存先フォルダーを選択</translation>
     </message>
@@ -102,6 +114,14 @@
     <message>
         <source>Choose the photo of the place where the new object will live; it is kept inside the document</source>
         <translation>新しい物を置く場所の写真を選択。写真はドキュメントに保存されます</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>選択...</translation>
+    </message>
+    <message>
+        <source>Choosing one sets the values that suit it; they can be edited all the same</source>
+        <translation>選ぶと適した値が設定されます。値はあとから編集できます</translation>
     </message>
     <message>
         <source>Circle</source>
@@ -396,6 +416,10 @@
         <translation>等しい長さ</translation>
     </message>
     <message>
+        <source>Export</source>
+        <translation>エクスポート</translation>
+    </message>
+    <message>
         <source>Export a PDF in true size too</source>
         <translation>原寸の PDF も書き出す</translation>
     </message>
@@ -404,8 +428,16 @@
         <translation>この設定のはめあい試験片も書き出す</translation>
     </message>
     <message>
+        <source>Export plates</source>
+        <translation>板のエクスポート</translation>
+    </message>
+    <message>
         <source>Export plates...</source>
         <translation>板を書き出す…</translation>
+    </message>
+    <message>
+        <source>Export print</source>
+        <translation>印刷用のエクスポート</translation>
     </message>
     <message>
         <source>Export print...</source>
@@ -442,6 +474,10 @@
     <message>
         <source>Fix the length of edges, the diameter of circles or the height of vertices selected in 3D, to type it anew among the model's dimensions; fixed ones follow the drawing again</source>
         <translation>3D で選択したエッジの長さ、円の直径、頂点の高さを固定し、モデルの寸法で入力できるようにします。固定済みのものは再び図に従います</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>フォルダー</translation>
     </message>
     <message>
         <source>Follows from the others</source>
@@ -616,6 +652,10 @@
         <translation>外れやすい・薄い</translation>
     </message>
     <message>
+        <source>Machine</source>
+        <translation>機械</translation>
+    </message>
+    <message>
         <source>Make a small comb with notches of different play and a tab, with the settings of the plates: cut it first; selected, it is written by Export plates</source>
         <translation>板と同じ設定で、遊びの異なる切り欠きの小さな櫛とほぞを作ります。最初に切ってください。選択すると「板を書き出す」で書き出されます</translation>
     </message>
@@ -676,6 +716,10 @@
         <translation>マーカー：黒い正方形の一辺は {}</translation>
     </message>
     <message>
+        <source>Material</source>
+        <translation>材料</translation>
+    </message>
+    <message>
         <source>Merge vertices</source>
         <translation>頂点を結合</translation>
     </message>
@@ -694,6 +738,10 @@
     <message>
         <source>Move vertex</source>
         <translation>頂点を移動</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
     </message>
     <message>
         <source>New sketch from a photo</source>
@@ -736,6 +784,14 @@
         <translation>合わせる物が写真でなぞられていません。線・箱・円のツールで描き、X キーで補助線にしてください。</translation>
     </message>
     <message>
+        <source>Of new plates</source>
+        <translation>新しい板</translation>
+    </message>
+    <message>
+        <source>Of new shelled solids</source>
+        <translation>新しいシェル</translation>
+    </message>
+    <message>
         <source>Of the object alone</source>
         <translation>作る物だけの重心</translation>
     </message>
@@ -776,16 +832,16 @@
         <translation>辺ごとの別の継手(例: e5=butt、f1:f2=finger,finger=8,owner=f1)。種類: auto, finger, butt, half_lap, tab_slot, none</translation>
     </message>
     <message>
+        <source>PDF (*.pdf);;SVG (*.svg)</source>
+        <translation>PDF (*.pdf);;SVG (*.svg)</translation>
+    </message>
+    <message>
         <source>Parallel</source>
         <translation>平行</translation>
     </message>
     <message>
         <source>Parameter numbers</source>
         <translation>パラメーター数</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf);;SVG (*.svg)</source>
-        <translation>PDF (*.pdf);;SVG (*.svg)</translation>
     </message>
     <message>
         <source>Photo</source>
@@ -802,6 +858,14 @@
     <message>
         <source>Plates</source>
         <translation>板</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>プリセット</translation>
+    </message>
+    <message>
+        <source>Presets of your own, as .json files like ours, belong in {}</source>
+        <translation>自分のプリセットは、同じ形の .json ファイルとして {} に置きます</translation>
     </message>
     <message>
         <source>Print marker</source>
@@ -894,6 +958,10 @@
     <message>
         <source>Show the plates apart, the way they are put together</source>
         <translation>組み立てる向きに板を離して表示</translation>
+    </message>
+    <message>
+        <source>Show the sheets and the length of the cuts, and write DXF, SVG, PDF, STEP and lists; where a fit test is selected, write that</source>
+        <translation>シート上の配置と切断の長さを表示し、DXF、SVG、PDF、STEP と一覧を書き出します。はめあいテストを選択しているときはそれを書き出します</translation>
     </message>
     <message>
         <source>Show the whole photo (F)</source>
@@ -1226,6 +1294,10 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>最初に切ってください。ほぞがちょうどよく入る切り欠きが、設定すべき遊びを示します</translation>
     </message>
     <message>
+        <source>cutter</source>
+        <translation>切断機</translation>
+    </message>
+    <message>
         <source>follows from the drawing and the other dimensions</source>
         <translation>図と他の寸法から決まります</translation>
     </message>
@@ -1240,6 +1312,14 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
     <message>
         <source>it fits</source>
         <translation>収まります</translation>
+    </message>
+    <message>
+        <source>it has no name of 1 to 60 letters</source>
+        <translation>1～60 文字の名前がありません</translation>
+    </message>
+    <message>
+        <source>it is no JSON object</source>
+        <translation>JSON オブジェクトではありません</translation>
     </message>
     <message>
         <source>it stands</source>
@@ -1266,6 +1346,14 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>または</translation>
     </message>
     <message>
+        <source>other CAD programs</source>
+        <translation>ほかの CAD</translation>
+    </message>
+    <message>
+        <source>parts list</source>
+        <translation>部品表</translation>
+    </message>
+    <message>
         <source>photo corner</source>
         <translation>写真の角</translation>
     </message>
@@ -1282,8 +1370,24 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>スケッチで直角と指定されています</translation>
     </message>
     <message>
+        <source>scripts</source>
+        <translation>スクリプト</translation>
+    </message>
+    <message>
+        <source>select one set of plates or one shelled solid; each goes into a file of its own</source>
+        <translation>板の組またはシェルを 1 つ選択してください。それぞれ別のファイルになります</translation>
+    </message>
+    <message>
         <source>select {} first</source>
         <translation>先に{}を選択してください</translation>
+    </message>
+    <message>
+        <source>slicer</source>
+        <translation>スライサー</translation>
+    </message>
+    <message>
+        <source>slicer, with units</source>
+        <translation>スライサー（単位付き）</translation>
     </message>
     <message>
         <source>the Python package {0} is missing; install it with FreeCAD's Addon Manager, or with: {1} -m pip install --target {2} {0}</source>
@@ -1292,6 +1396,10 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
     <message>
         <source>there is no picture in the clipboard; copy one first</source>
         <translation>クリップボードに画像がありません。先にコピーしてください</translation>
+    </message>
+    <message>
+        <source>true size on paper</source>
+        <translation>紙に実寸</translation>
     </message>
     <message>
         <source>type a value or an expression</source>
@@ -1306,12 +1414,24 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>地面にあるものに高さはなく、鏡像は描いたものに従います。ほかのものを選択してください</translation>
     </message>
     <message>
+        <source>{0} cannot be written as {1}; there are: {2}</source>
+        <translation>{0} は {1} として書き出せません。使えるのは {2} です</translation>
+    </message>
+    <message>
         <source>{0} cannot hold together with {1}: try removing {0}.</source>
         <translation>{0} は {1} と両立しません。{0} を外してみてください。</translation>
     </message>
     <message>
         <source>{0} cannot hold: try removing {0}.</source>
         <translation>{0} は成り立ちません。{0} を外してみてください。</translation>
+    </message>
+    <message>
+        <source>{0} is no preset: {1}</source>
+        <translation>{0} はプリセットではありません: {1}</translation>
+    </message>
+    <message>
+        <source>{0} plates on {1} sheets ({2}), {3:.2f} m of cuts, about {4} min</source>
+        <translation>板 {0} 枚、シート {1} 枚（{2}）、切断 {3:.2f} m、約 {4} 分</translation>
     </message>
     <message>
         <source>{0} traced lines, the worst ({1}) {2:.1f} px off.</source>

@@ -1,5 +1,6 @@
 """Every command, as FreeCAD's window has it."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import FreeCAD
@@ -65,26 +66,28 @@ def test_new_sketch_embeds_the_photo(document, shelf_path):
 
 def test_from_a_sketch_file_to_files_to_cut(document, shelf_path, tmp_path, monkeypatch):
     from incontext.workbench.commands.import_sketch import imported
-    from incontext.workbench.panels import asking
+    from incontext.workbench.panels import export_dialog
 
     imported(document, shelf_path)
     FreeCADGui.runCommand("InContext_Lift")
     FreeCADGui.runCommand("InContext_MakePlates")
     assert [obj.Name for obj in document.Objects] == ["PhotoSketch", "LiftedModel", "PlateSet"]
     assert document.UndoNames == ["Make plates", "Lift to 3D", "Import sketch"]
-    monkeypatch.setattr(asking, "ask_for_folder", lambda title: tmp_path)
+    agree = lambda dialog: replace(dialog.choice, folder=tmp_path)  # noqa: E731
+    monkeypatch.setattr(export_dialog, "ask_what_to_export", agree)
     FreeCADGui.runCommand("InContext_ExportPlates")
     assert (tmp_path / "Test.dxf").is_file()
 
 
 def test_from_a_model_to_files_to_print(document, shelf_path, tmp_path, monkeypatch):
     from incontext.workbench.commands.import_sketch import imported
-    from incontext.workbench.panels import asking
+    from incontext.workbench.panels import export_dialog
 
     imported(document, shelf_path)
     FreeCADGui.runCommand("InContext_Lift")
     FreeCADGui.runCommand("InContext_MakeShell")
-    monkeypatch.setattr(asking, "ask_for_folder", lambda title: tmp_path)
+    agree = lambda dialog: replace(dialog.choice, folder=tmp_path)  # noqa: E731
+    monkeypatch.setattr(export_dialog, "ask_what_to_export", agree)
     FreeCADGui.runCommand("InContext_ExportPrint")
     assert {path.name for path in tmp_path.iterdir()} == {"Test.stl", "Test.3mf", "Test.step"}
 

@@ -48,3 +48,25 @@ def test_new_objects_begin_with_what_is_preferred(shelf, document, chosen):
     assert plates.FingerWidth == shelf[2].FingerWidth
     assert make_shelled_solid(document, shelf[1]).Wall.Value == 1.2
     assert shelf[2].Thickness.Value == 3
+
+
+def test_the_page_of_presets_remembers_what_is_chosen(window):
+    from incontext.workbench.panels.preset_page import PresetPage
+
+    page, preferences = PresetPage(), host.preferences()
+    try:
+        page.loadSettings()
+        box = page.boxes["MachineForPlates"]
+        assert box.currentText() == "-"
+        box.setCurrentIndex(box.findText("CO2 laser 600 x 400 mm"))
+        assert box.currentIndex() > 0
+        page.saveSettings()
+        assert preferences.GetString("MachineForPlates") == "CO2 laser 600 x 400 mm"
+        again = PresetPage()
+        again.loadSettings()
+        assert again.boxes["MachineForPlates"].currentText() == "CO2 laser 600 x 400 mm"
+        again.form.deleteLater()
+    finally:
+        for name in page.boxes:
+            preferences.RemString(name)
+        page.form.deleteLater()

@@ -11,14 +11,14 @@ from .choosing import chosen, objects_of
 
 
 class ExportPlates(Command):
-    """Ask for a folder, write the files."""
+    """Show the sheets, ask for formats and a folder, write the files."""
 
     NAME = "InContext_ExportPlates"
     ICON = "InContext_ExportPlates"
     MENU_TEXT = "Export plates..."
     TOOLTIP = (
-        "Write the plates as DXF, SVG, STEP and plates.json into a folder; where a fit test is "
-        "selected, write that"
+        "Show the sheets and the length of the cuts, and write DXF, SVG, PDF, STEP and lists; "
+        "where a fit test is selected, write that"
     )
     SHORTCUT = "I, X"
     NEEDS = ("numpy", "scipy", "shapely", "ezdxf")
@@ -29,17 +29,51 @@ class ExportPlates(Command):
 
     def run(self) -> None:
         """See the class."""
-        from ..features.exports import export_plates
-        from ..features.fit_test import export_fit_test
-        from ..panels.asking import ask_for_folder
-
         fit_test = _selected_fit_test()
-        what = fit_test or chosen(is_plate_set, "a plate set")
-        folder = ask_for_folder(host.translate(self.NAME, "Choose a folder for the plates"))
-        if folder is None:
+        if fit_test is not None:
+            _export_fit_test(fit_test)
             return
-        export = export_plates if fit_test is None else export_fit_test
-        for path in export(what, folder, file_name(what)):
+        from ..features.exports import export_plates
+        from ..panels.export_dialog import ask_what_to_export
+
+        plate_set = chosen(is_plate_set, "a plate set")
+        choice = ask_what_to_export(dialog_for(plate_set))
+        if choice is None:
+            return
+        for path in export_plates(plate_set, choice.folder, choice.name, choice.formats):
+            host.note(str(path))
+
+
+def dialog_for(plate_set: Any) -> Any:
+    """The window that shows the sheets of a plate set before they are written.
+
+    Raises
+    ------
+    SketchError, FabricationError
+        Where there are no plates, or they fit on no sheet.
+    """
+    from ..features.exports import PLATE_FORMATS, usual_formats
+    from ..features.sheet_picture import picture_of
+    from ..panels.export_dialog import ExportDialog, sheets_words
+    from ..panels.sheet_preview import SheetPreview
+
+    picture, usual = picture_of(plate_set), usual_formats(plate_set)
+    return ExportDialog(
+        host.translate("InContext", "Export plates"),
+        sheets_words(picture),
+        {ending: ending in usual for ending in PLATE_FORMATS},
+        file_name(plate_set),
+        SheetPreview(picture),
+    )
+
+
+def _export_fit_test(fit_test: Any) -> None:
+    from ..features.fit_test import export_fit_test
+    from ..panels.asking import ask_for_folder
+
+    folder = ask_for_folder(host.translate("InContext", "Choose a folder for the fit test"))
+    if folder is not None:
+        for path in export_fit_test(fit_test, folder, file_name(fit_test)):
             host.note(str(path))
 
 

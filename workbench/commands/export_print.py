@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from .. import host
 from ..features.shelled_solid import is_shelled_solid
 from .base import Command
@@ -10,7 +12,7 @@ from .export_plates import file_name
 
 
 class ExportPrint(Command):
-    """Ask for a folder, write the files."""
+    """Ask for formats and a folder, write the files."""
 
     NAME = "InContext_ExportPrint"
     ICON = "InContext_ExportPrint"
@@ -25,12 +27,26 @@ class ExportPrint(Command):
 
     def run(self) -> None:
         """See the class."""
-        from ..features.exports import export_print
-        from ..panels.asking import ask_for_folder
+        from ..features.exports import PRINT_FORMATS, export_print
+        from ..panels.export_dialog import ExportDialog, ask_what_to_export
+        from ..panels.waiting import busy
 
         solid = chosen(is_shelled_solid, "a shelled solid")
-        folder = ask_for_folder(host.translate(self.NAME, "Choose a folder for the print"))
-        if folder is None:
+        title = host.translate("InContext", "Export print")
+        formats = dict.fromkeys(PRINT_FORMATS, True)
+        choice = ask_what_to_export(
+            ExportDialog(title, size_words(solid), formats, file_name(solid))
+        )
+        if choice is None:
             return
-        for path in export_print(solid, folder, file_name(solid)):
+        with busy():
+            paths = export_print(solid, choice.folder, choice.name, choice.formats)
+        for path in paths:
             host.note(str(path))
+
+
+def size_words(solid: Any) -> str:
+    """How large a solid is, and what it says of itself."""
+    box = solid.Shape.BoundBox
+    size = f"{box.XLength:.1f} x {box.YLength:.1f} x {box.ZLength:.1f} mm"
+    return f"{size}; {solid.Message}"

@@ -26,12 +26,13 @@ from .dimension_names import (
 )
 from .dimension_words import Words
 from .properties import Editor
+from .proxy import is_edited
 
 if TYPE_CHECKING:
     from ...solver.graph import SketchGraph
     from ...solver.solution import Solution
 
-DRIVING, SHOWN, ANGLES = "Dimensions", "Shown dimensions", "Shown angles"
+DRIVING, SHOWN, ANGLES = "Dimensions", "Shown dimensions", "Shown dimensions: angles"
 
 
 def driven_text(obj: Any) -> str:
@@ -92,10 +93,10 @@ def take_edit(obj: Any, name: str) -> None:
     Does nothing for whatever is no edit of a person's or script's: results of a recompute or of an
     expression, undo, and opening a document.
     """
-    document, dimension = obj.Document, dimension_named(name)
-    if dimension is None or document is None or obj.PhotoSketch is None or _is_at_work(document):
+    dimension = dimension_named(name)
+    if dimension is None or obj.PhotoSketch is None or not is_edited(obj):
         return
-    if "Restore" in obj.State or name in _bound_names(obj):
+    if name in _bound_names(obj):
         return
     try:
         if _is_there(pipeline.graph_of(obj.PhotoSketch.Sketch), dimension):
@@ -117,11 +118,6 @@ def drive(obj: Any, dimension: Dimension, value: float | None) -> None:
     graph = pipeline.graph_of(obj.PhotoSketch.Sketch)
     if driving(graph).get(dimension) != value:
         obj.PhotoSketch.Sketch = sketch_to_text(said(graph, dimension, value))
-
-
-def _is_at_work(document: Any) -> bool:
-    """Whether FreeCAD itself is changing the document."""
-    return document.Restoring or document.Recomputing or document.Transacting
 
 
 def _bound_names(obj: Any) -> set[str]:

@@ -1,19 +1,80 @@
-"""The files of plates and prints: what a cutter, a slicer, another program or a script needs."""
+"""The files of plates and prints: what a cutter, a slicer, another program or a script needs.
+
+Terms
+-----
+format
+    One of `PLATE_FORMATS` or `PRINT_FORMATS`: the ending of its file, which comes after the name.
+"""
 
 from __future__ import annotations
 
 import tempfile
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from .. import host
 from .plate_set import joined_of, settings_of, shop_settings_of
 
+if TYPE_CHECKING:
+    from ..fabrication.sheets import Sheet
 
-def export_plates(plate_set: Any, folder: Path, name: str) -> tuple[Path, ...]:
-    """Write the plates as DXF, SVG, STEP and plates.json: all of them or none.
+PLATE_FORMATS = (".dxf", ".svg", ".pdf", ".step", ".plates.json", ".parts.csv")
+PRINT_FORMATS = (".stl", ".3mf", ".step")
 
-    What the plate set's properties ask for besides, PDF, parts list and fit test, is written too.
+
+def sheets_of(plate_set: Any) -> tuple[Sheet, ...]:
+    """The plates' cut paths, laid out on sheets.
+
+    Raises
+    ------
+    SketchError, FabricationError
+        Where there are no plates, or they fit on no sheet.
+    """
+    from ..fabrication.marks import edge_marks
+    from ..fabrication.sheets import lay_out
+
+    joined = joined_of(plate_set)
+    marks = edge_marks(joined.plates, joined.joints)
+    return lay_out(joined.plates, settings_of(plate_set), marks)
+
+
+def usual_formats(plate_set: Any) -> tuple[str, ...]:
+    """The formats that are written where nothing else is asked for, as its properties say."""
+    wanted = [".dxf", ".svg", ".step", ".plates.json"]
+    if plate_set.WithPdf or plate_set.PdfPage:
+        wanted.append(".pdf")
+    if plate_set.WithPartsList:
+        wanted.append(".parts.csv")
+    return tuple(one for one in PLATE_FORMATS if one in wanted)
+
+
+def plate_file(plate_set: Any, sheets: Sequence[Sheet], ending: str) -> bytes:
+    """One file of a plate set, whatever its format."""
+    from ..fabrication.dxf import dxf_bytes
+    from ..fabrication.parts import parts_csv_bytes, parts_list
+    from ..fabrication.pdf import pdf_bytes
+    from ..fabrication.plates_json import plates_json_bytes
+    from ..fabrication.presets import load_preset
+    from ..fabrication.svg import svg_bytes
+
+    shop, plates = shop_settings_of(plate_set), joined_of(plate_set).plates
+    preset = load_preset(shop.preset)
+    make: dict[str, Callable[[], bytes]] = {
+        ".dxf": lambda: dxf_bytes(sheets, preset),
+        ".svg": lambda: svg_bytes(sheets, preset),
+        ".pdf": lambda: pdf_bytes(sheets, preset, shop.page),
+        ".step": lambda: _step_bytes(plates),
+        ".plates.json": lambda: plates_json_bytes(plates),
+        ".parts.csv": lambda: parts_csv_bytes(parts_list(plates, sheets, shop)),
+    }
+    return make[ending]()
+
+
+def export_plates(
+    plate_set: Any, folder: Path, name: str, formats: Iterable[str] | None = None
+) -> tuple[Path, ...]:
+    """Write the plates' files: all of them or none.
 
     Parameters
     ----------
@@ -22,6 +83,9 @@ def export_plates(plate_set: Any, folder: Path, name: str) -> tuple[Path, ...]:
         Made where it is missing.
     name : str
         What stands before the endings.
+    formats : iterable of str, optional
+        Of `PLATE_FORMATS`; those of `usual_formats` by default. The fit test is written besides,
+        where the plate set asks for it.
 
     Returns
     -------
@@ -33,33 +97,13 @@ def export_plates(plate_set: Any, folder: Path, name: str) -> tuple[Path, ...]:
         Where there are no plates, they fit on no sheet, or the folder cannot be written.
     """
     from ...solver.files import write_files
-    from ..fabrication.dxf import dxf_bytes
-    from ..fabrication.marks import edge_marks
-    from ..fabrication.plates_json import plates_json_bytes
-    from ..fabrication.presets import load_preset
-    from ..fabrication.sheets import lay_out
-    from ..fabrication.svg import svg_bytes
-    from ..making import Extras, Order, extra_files
+    from ..making import coupon_files
 
-    joined, settings, shop = (
-        joined_of(plate_set),
-        settings_of(plate_set),
-        shop_settings_of(plate_set),
-    )
-    plates, preset = joined.plates, load_preset(shop.preset)
-    sheets = lay_out(plates, settings, edge_marks(plates, joined.joints))
-    extras = Extras(
-        pdf=plate_set.WithPdf or bool(plate_set.PdfPage),
-        parts=plate_set.WithPartsList,
-        coupon=plate_set.WithCoupon,
-    )
-    contents = {
-        f"{name}.dxf": dxf_bytes(sheets, preset),
-        f"{name}.svg": svg_bytes(sheets, preset),
-        f"{name}.step": _step_bytes(plates),
-        f"{name}.plates.json": plates_json_bytes(plates),
-        **extra_files(plates, sheets, settings, Order(name, settings, shop=shop, extras=extras)),
-    }
+    sheets = sheets_of(plate_set)
+    wanted = usual_formats(plate_set) if formats is None else tuple(formats)
+    contents = {name + ending: plate_file(plate_set, sheets, ending) for ending in wanted}
+    if plate_set.WithCoupon:
+        contents |= coupon_files(settings_of(plate_set), shop_settings_of(plate_set), name)
     paths = {folder / file: data for file, data in contents.items()}
     write_files(paths)
     return tuple(paths)
@@ -75,8 +119,10 @@ def _step_bytes(plates: tuple[Any, ...]) -> bytes:
         return path.read_bytes()
 
 
-def export_print(shelled_solid: Any, folder: Path, name: str) -> tuple[Path, ...]:
-    """Write a shelled solid as STL, 3MF and STEP: all of them or none.
+def export_print(
+    shelled_solid: Any, folder: Path, name: str, formats: Iterable[str] = PRINT_FORMATS
+) -> tuple[Path, ...]:
+    """Write a shelled solid's files: all of them or none.
 
     Parameters
     ----------
@@ -85,6 +131,8 @@ def export_print(shelled_solid: Any, folder: Path, name: str) -> tuple[Path, ...
         Made where it is missing.
     name : str
         What stands before the endings, and the solid's name in the 3MF.
+    formats : iterable of str
+        Of `PRINT_FORMATS`.
 
     Returns
     -------
@@ -96,23 +144,27 @@ def export_print(shelled_solid: Any, folder: Path, name: str) -> tuple[Path, ...
         Where there is no solid, or the folder cannot be written.
     """
     from ...solver.files import write_files
+
+    paths = {
+        folder / (name + ending): print_file(shelled_solid, name, ending) for ending in formats
+    }
+    write_files(paths)
+    return tuple(paths)
+
+
+def print_file(shelled_solid: Any, name: str, ending: str) -> bytes:
+    """One file of a shelled solid, whatever its format."""
     from . import pipeline
     from .dimensions import driven_text
     from .shelled_solid import settings_of as shell_settings_of
 
     settings = shell_settings_of(shelled_solid)
-    model = pipeline.model_of(driven_text(shelled_solid.LiftedModel), settings.wall_mm)
+    text = driven_text(shelled_solid.LiftedModel)
     with host.own_packages_first():
-        from ..fabrication import shell_solid
-        from ..fabrication.meshes import mesh_of, stl_bytes, threemf_bytes
+        from ..fabrication.meshes import stl_bytes, threemf_bytes
         from ..fabrication.solids import shape_step_bytes
 
-        solid = shell_solid(model, settings)
-        mesh = mesh_of(solid, settings.tolerance_mm)
-        contents = {
-            folder / f"{name}.stl": stl_bytes(mesh),
-            folder / f"{name}.3mf": threemf_bytes(mesh, name),
-            folder / f"{name}.step": shape_step_bytes(solid, name),
-        }
-    write_files(contents)
-    return tuple(contents)
+        solid, mesh = pipeline.printed_of(text, settings)
+        if ending == ".step":
+            return shape_step_bytes(solid, name)
+        return stl_bytes(mesh) if ending == ".stl" else threemf_bytes(mesh, name)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import lru_cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from .. import host
 from .dimension_names import Dimension, said
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from ...solver.model import Model
     from ...solver.solution import Solution
     from ..fabrication.assembly import Step
+    from ..fabrication.meshes import Mesh
     from ..fabrication.plates import Joined, Plate
     from ..fabrication.settings import PlateSettings, ShellSettings
 
@@ -120,6 +121,19 @@ def steps_of(joined: Joined) -> tuple[Step, ...]:
     from ..fabrication.assembly import assembly_steps
 
     return assembly_steps(joined.plates)
+
+
+@lru_cache(maxsize=2)
+def printed_of(sketch_text: str, settings: ShellSettings) -> tuple[Any, Mesh]:
+    """The hollow solid of a sketch and its mesh; raises SketchError or FabricationError."""
+    # The thickness of the faces is for plates: the shell has walls of one thickness.
+    model = model_of(sketch_text, settings.wall_mm)
+    with host.own_packages_first():
+        from ..fabrication import shell_solid
+        from ..fabrication.meshes import mesh_of
+
+        solid = shell_solid(model, settings)
+        return solid, mesh_of(solid, settings.tolerance_mm)
 
 
 @lru_cache(maxsize=REMEMBERED)

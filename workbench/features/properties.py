@@ -79,6 +79,8 @@ PREFERRED_LENGTHS = (
     "Wall",
 )
 PREFERRED_TEXTS = ("Preset",)
+#: Each with "ForPlates" or "ForPrint" behind it.
+PREFERRED_PRESETS = ("Material", "Machine")
 
 
 def apply_preferences(obj: Any) -> None:
@@ -90,7 +92,31 @@ def apply_preferences(obj: Any) -> None:
     for name in PREFERRED_TEXTS:
         if name in obj.PropertiesList:
             setattr(obj, name, chosen.GetString(name, getattr(obj, name)))
+    makes = "ForPrint" if "Wall" in obj.PropertiesList else "ForPlates"
+    for name in PREFERRED_PRESETS:
+        preset = chosen.GetString(name + makes, "")
+        # Taken last: what a material says is meant.
+        if preset in (obj.getEnumerationsOfProperty(name) or ()):
+            setattr(obj, name, preset)
 
+
+#: Drop-downs whose choice sets other values, which may be edited afterwards.
+TAKEN = (
+    Property(
+        "App::PropertyEnumeration",
+        "Material",
+        "Presets",
+        "Choosing one sets the values that suit it; they can be edited all the same",
+        choices=("-",),
+    ),
+    Property(
+        "App::PropertyEnumeration",
+        "Machine",
+        "Presets",
+        "Choosing one sets the values that suit it; they can be edited all the same",
+        choices=("-",),
+    ),
+)
 
 #: How the last recompute ended; every object that computes something has these two.
 OUTCOME = (

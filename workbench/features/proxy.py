@@ -59,3 +59,11 @@ class Proxy:
 def is_of_type(obj: Any, type_name: str) -> bool:
     """True for a document object whose proxy is of that type."""
     return getattr(getattr(obj, "Proxy", None), "TYPE", "") == type_name
+
+
+def is_edited(obj: Any) -> bool:
+    """Whether a change is a person's or a script's: not opening, undo, or a recompute."""
+    document = obj.Document
+    if document is None or "Restore" in obj.State:
+        return False
+    return not (document.Restoring or document.Recomputing or document.Transacting)

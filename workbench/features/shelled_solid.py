@@ -8,8 +8,9 @@ from .. import host
 from ..problems import in_words, known_problems
 from . import pipeline
 from .dimensions import driven_text
-from .properties import OUTCOME, Property, apply_preferences, fail, set_outcome
-from .proxy import Proxy, is_of_type
+from .presets import KINDS, offer_presets, take_preset
+from .properties import OUTCOME, TAKEN, Property, apply_preferences, fail, set_outcome
+from .proxy import Proxy, is_edited, is_of_type
 
 if TYPE_CHECKING:
     from ..fabrication.settings import ShellSettings
@@ -25,6 +26,7 @@ class ShelledSolid(Proxy):
     TYPE = TYPE
     PROPERTIES = (
         Property("App::PropertyLink", "LiftedModel", "Shell", "The model that is hollowed out"),
+        *TAKEN,
         Property("App::PropertyLength", "Wall", "Shell", "Thickness of the wall", 2.0),
         Property(
             "App::PropertyEnumeration",
@@ -63,6 +65,20 @@ class ShelledSolid(Proxy):
         ),
         *OUTCOME,
     )
+
+    def __init__(self, obj: Any) -> None:
+        super().__init__(obj)
+        offer_presets(obj, "print")
+
+    def onDocumentRestored(self, obj: Any) -> None:  # noqa: N802  FreeCAD's name
+        """See `Proxy.onDocumentRestored`; presets may have come and gone."""
+        super().onDocumentRestored(obj)
+        offer_presets(obj, "print")
+
+    def onChanged(self, obj: Any, name: str) -> None:  # noqa: N802
+        """A preset that was chosen sets its values."""
+        if name in KINDS and is_edited(obj):
+            take_preset(obj, name, "print")
 
     def execute(self, obj: Any) -> None:
         """Make the solid; where that cannot be done, keep the last one and say why."""

@@ -16,7 +16,7 @@ _LAST_FOLDER = "LastFolder"
 
 def ask_for_file(title: str, kinds: str) -> Path | None:
     """A file to open, or None."""
-    name, _ = QtGui.QFileDialog.getOpenFileName(_window(), title, _last_folder(), kinds)
+    name, _ = QtGui.QFileDialog.getOpenFileName(_window(), title, last_folder(), kinds)
     return _remembered(name)
 
 
@@ -30,7 +30,7 @@ def photo_kinds() -> str:
 
 def ask_for_folder(title: str) -> Path | None:
     """A folder to write into, or None."""
-    return _remembered(QtGui.QFileDialog.getExistingDirectory(_window(), title, _last_folder()))
+    return _remembered(QtGui.QFileDialog.getExistingDirectory(_window(), title, last_folder()))
 
 
 def ask_for_new_file(title: str, kinds: str, name: str) -> Path | None:
@@ -60,7 +60,8 @@ def _window() -> QtGui.QWidget:
     return FreeCADGui.getMainWindow()
 
 
-def _last_folder() -> str:
+def last_folder() -> str:
+    """The folder that was chosen last, else the person's own."""
     return host.preferences().GetString(_LAST_FOLDER, str(Path.home()))
 
 
@@ -68,5 +69,10 @@ def _remembered(name: str) -> Path | None:
     if not name:
         return None
     path = Path(name)
-    host.preferences().SetString(_LAST_FOLDER, str(path if path.is_dir() else path.parent))
+    remember_folder(path if path.is_dir() else path.parent)
     return path
+
+
+def remember_folder(folder: Path) -> None:
+    """Begin there the next time."""
+    host.preferences().SetString(_LAST_FOLDER, str(folder))

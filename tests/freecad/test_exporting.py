@@ -1,0 +1,59 @@
+"""File > Export on our own objects, and the kinds of files that FreeCAD knows of."""
+
+from __future__ import annotations
+
+import FreeCAD
+import pytest
+
+from incontext.workbench.features import exporting
+from incontext.workbench.features.exports import (
+    PLATE_FORMATS,
+    PRINT_FORMATS,
+    export_plates,
+    export_print,
+)
+from incontext.workbench.features.shelled_solid import make_shelled_solid
+
+MODULE = "incontext.workbench.features.exporting"
+
+
+@pytest.mark.parametrize("ending", ["dxf", "svg", "pdf", "stl", "3mf"])
+def test_freecad_knows_our_kinds_of_files(ending):
+    assert MODULE in FreeCAD.getExportType(ending)
+
+
+@pytest.mark.parametrize("ending", PLATE_FORMATS)
+def test_plates_are_written_as_the_command_writes_them(shelf, tmp_path, ending):
+    _, _, plates = shelf
+    path = tmp_path / f"one{ending}"
+    exporting.export([plates], str(path))
+    export_plates(plates, tmp_path, "two", [ending])
+    two = (tmp_path / f"two{ending}").read_bytes()
+    assert path.stat().st_size > 100
+    # STEP holds the time of day.
+    assert ending == ".step" or path.read_bytes() == two
+
+
+def test_the_print_is_written_too(shelf, document, tmp_path):
+    solid = make_shelled_solid(document, shelf[1])
+    document.recompute()
+    for ending in PRINT_FORMATS:
+        path = tmp_path / f"print{ending}"
+        exporting.export([solid], str(path))
+        assert path.stat().st_size > 100
+    export_print(solid, tmp_path, "print", (".stl",))
+
+
+def test_what_cannot_be_written_is_told(shelf, tmp_path):
+    sketch, model, plates = shelf
+    with pytest.raises(RuntimeError, match="select one"):
+        exporting.export([sketch, model], str(tmp_path / "a.dxf"))
+    with pytest.raises(RuntimeError, match=r"\.3mf"):
+        exporting.export([plates], str(tmp_path / "a.3mf"))
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_only_the_chosen_formats_are_written(shelf, tmp_path):
+    paths = export_plates(shelf[2], tmp_path, "shelf", [".svg", ".parts.csv"])
+    assert sorted(p.name for p in paths) == ["shelf.parts.csv", "shelf.svg"]
+    assert {p.name for p in tmp_path.iterdir()} == {p.name for p in paths}

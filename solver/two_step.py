@@ -273,12 +273,14 @@ def _describe(
     vertices, circles = placed.vertices, placed.circles
     geometry, on_faces = _with_copies(graph, vertices)
     residuals = annotation_residuals(graph, geometry.vertices, geometry.faces, circles)
-    open_ = freedoms(lifted.full, pose, [*core.vertices, *core.circles])
+    wished = blamed is not None and blamed.wished
+    # Away from the drawing its slopes tell nothing; before the wish nothing was left open.
+    found = freedoms(lifted.full, pose, [*core.vertices, *core.circles])
+    open_ = Freedoms(0, ()) if wished else found
     extent = np.array([*vertices.values(), *(c.center_mm for c in circles.values())])
     conflicts = unmet_annotations(residuals, size_of(extent.reshape(-1, 3)))
     sigmas = size_sigmas(lifted.full, pose) if not open_.count else np.zeros(0)
     unsure = bool(np.sqrt(np.mean(sigmas**2)) > UNSURE_SIZE_SIGMA) if len(sigmas) else False
-    wished = blamed is not None and blamed.wished
     status, message = _verdict(core, lifted, open_, conflicts, wished=wished)
     if status is Status.CONVERGED and unsure:
         message += UNSURE

@@ -22,7 +22,7 @@ from scipy.sparse.linalg import splu
 
 from .annotations import Annotation, Diameter, Length
 from .blaming import HELD, is_settled
-from .diagnosis import pose_near, without
+from .diagnosis import freedoms, pose_near, without
 from .full import FullProblem, Pose
 from .graph import SketchGraph
 from .least_squares import Minimum
@@ -52,7 +52,8 @@ def drawn_shape(graph: SketchGraph, wishes: tuple[str, ...], stop: Stop) -> Lift
     lifted = None if structure.contradiction else lift(plain, structure, stop, wary=True)
     if lifted is None or lifted.doubtful or not is_settled(lifted) or not lifted.above:
         return None
-    return lifted
+    names = [*plain.vertices, *plain.circles]
+    return None if freedoms(lifted.full, lifted.minimum.x, names).count else lifted
 
 
 def fulfilled(graph: SketchGraph, structure: Structure, drawn: Lifted, stop: Stop) -> Lifted | None:

@@ -35,7 +35,7 @@ def ask_for_folder(title: str) -> Path | None:
 
 def ask_for_new_file(title: str, kinds: str, name: str) -> Path | None:
     """A file to write, or None; where the name has no ending, that of the kind."""
-    suggested = str(Path(_last_folder(), name))
+    suggested = str(Path(last_folder(), name))
     found, kind = QtGui.QFileDialog.getSaveFileName(_window(), title, suggested, kinds)
     path = _remembered(found)
     if path is None or path.suffix:

@@ -9,6 +9,7 @@ import FreeCADGui
 
 from ..canvas.qt import QtCore, QtGui
 from ..features.photo_sketch import is_photo_sketch
+from . import recovery
 from .controller import SketchController
 
 _Key = tuple[str, str]
@@ -182,6 +183,8 @@ class _Observer:
         controller = _open.get(_key(obj)) if is_photo_sketch(obj) else None
         if controller is not None:
             controller.on_changed(name)
+        if any(key[0] == obj.Document.Name for key in _open):
+            recovery.note_change(obj.Document)
 
     def slotRecomputedDocument(self, document: Any) -> None:  # noqa: N802
         """The document was recomputed."""

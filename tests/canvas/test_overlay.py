@@ -6,7 +6,7 @@ from itertools import combinations, pairwise
 import pytest
 from PySide import QtGui
 
-from incontext.solver.annotations import Ground, Length, RightAngle
+from incontext.solver.annotations import Ground, Length, Parallel, RightAngle
 from incontext.solver.graph import Ellipse, Face, SketchGraph
 from incontext.workbench.canvas import overlay, previews, style
 from incontext.workbench.canvas.marks import marks_of
@@ -159,3 +159,12 @@ def test_parameter_numbers_stand_beside_their_vertices(graph):
     assert has(image, style.NUMBER, 172, 143, reach=4)
     assert has(image, style.NO_NUMBER, 52, 143, reach=4)
     assert not has(image, style.NUMBER, 172, 30, reach=8)
+
+
+def test_groups_differ_by_colour_and_by_number(graph):
+    said = {"a1": Parallel(("e1", "e3")), "a2": Parallel(("e2", "e4"))}
+    image = painted(replace(graph, annotations=said))
+    first, second = style.GROUPS[:2]
+    assert has(image, first, 100, 40, reach=4)
+    assert has(image, second, 160, 100, reach=6)
+    assert not has(image, second, 100, 40, reach=8)

@@ -276,3 +276,35 @@ def test_arrow_keys_push_what_is_selected(view):
     moved = [b - a for a, b in zip(before, view.graph.vertices["v8"], strict=True)]
     assert moved == pytest.approx([-1 / view.zoom, 10 / view.zoom], abs=0.01)
     assert [words for _, words in edits] == ["Move", "Move"]
+
+
+@pytest.fixture
+def in_hand(view):
+    """In the middle of dragging a vertex; what is grabbed with and without the still picture."""
+    mouse(view, QtCore.QEvent.MouseButtonPress, at(view, "v8"))
+    place = at(view, "v8")
+
+    def difference(offset):
+        mouse(view, QtCore.QEvent.MouseMove, place + offset, Qt.NoButton)
+        assert view.is_in_hand
+        fast = view.grab().toImage()
+        layer, view._still_lines = view._still_lines, lambda painter, scene: None
+        slow = view.grab().toImage()
+        view._still_lines = layer
+        places = [(x, y) for x in range(fast.width()) for y in range(fast.height())]
+        lights = ([image.pixelColor(*p).lightness() for p in places] for image in (fast, slow))
+        # Where lines cross, another one may lie above.
+        return sum(abs(a - b) > 40 for a, b in zip(*lights, strict=True)) / len(places)
+
+    yield difference
+    key(view, QtCore.QEvent.KeyPress, Qt.Key_Escape)
+
+
+def test_what_stands_still_is_painted_as_ever_while_something_is_dragged(view, in_hand):
+    assert in_hand(QtCore.QPoint(15, -10)) < 0.001
+    picture = view._still._picture
+    assert in_hand(QtCore.QPoint(17, -12)) < 0.001
+    assert view._still._picture is picture
+    view.zoom_by(1.3)
+    assert in_hand(QtCore.QPoint(19, -14)) < 0.001
+    assert view._still._picture is not picture

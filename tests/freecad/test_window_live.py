@@ -96,7 +96,7 @@ def slow(monkeypatch, shelf_path):
     """A lifting of solves that take long, and what comes of it."""
     solved_in = []
 
-    def lift(graph, stop=None):
+    def lift(graph, stop=None, start=None):
         solved_in.append(threading.current_thread())
         began = time.thread_time()
         while time.thread_time() - began < 0.15 and not stop():
@@ -144,3 +144,28 @@ def test_only_what_is_still_wanted_comes(slow, shelf_path):
     lifting.forget()
     pump(0.4)
     assert len(came) == 1
+
+
+def test_letting_go_waits_for_no_slow_solve(controller, shelf, monkeypatch):
+    from incontext.solver.editing import move_vertices
+
+    lift, started = pipeline.lift, []
+
+    def slow_from_nothing(graph, stop=None, start=None):
+        started.append(start)
+        if start is None:
+            assert stop is not None, "a recompute solved by itself"
+            while not stop():
+                sum(range(1000))
+        return lift(graph, start=start)
+
+    monkeypatch.setattr(pipeline, "lift", slow_from_nothing)
+    graph, area = controller.tab.view.graph, shelf[1].Shape.Area
+    u, v = graph.vertices["v8"]
+    moved = move_vertices(graph, {"v8": (u + 4, v - 9)})
+    controller.write(moved, "Move vertex")
+    assert [start is None for start in started] == [True, False]
+    assert shelf[1].Shape.Area != area
+    found, expected = pipeline.known_solution_of(shelf[0].Sketch), solve(moved)
+    for vertex, place in expected.vertices_mm.items():
+        assert found.vertices_mm[vertex] == pytest.approx(place, abs=1e-6)

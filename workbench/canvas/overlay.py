@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -32,6 +32,25 @@ class Findings:
 
 
 @dataclass(frozen=True, slots=True)
+class Part:
+    """One of the two parts of a sketch in the hand: what moves, with all that hangs on it, or not.
+
+    Parameters
+    ----------
+    moved : frozenset of vertices and circles
+    moves : bool
+        Which part it is.
+    """
+
+    moved: frozenset[str]
+    moves: bool
+
+    def has(self, ids: Iterable[str]) -> bool:
+        """Whether what lies between some vertices or circles belongs to it."""
+        return self.moved.isdisjoint(ids) != self.moves
+
+
+@dataclass(frozen=True, slots=True)
 class Scene:
     """What is painted.
 
@@ -46,6 +65,8 @@ class Scene:
         Of surfaces of revolution, see `turning.rings_of`.
     numbers : mapping of vertex to number
         How many parameters each has, where that is shown ([Lau10] Figure 5).
+    part : Part or None
+        What of it is painted; all where there is none.
     """
 
     graph: SketchGraph
@@ -55,11 +76,20 @@ class Scene:
     findings: Findings = Findings()
     rings: tuple[Stroke, ...] = ()
     numbers: Mapping[str, int] = field(default_factory=dict)
+    part: Part | None = None
 
     def ends(self, edge: str) -> tuple[Point, Point]:
         """Screen positions of an edge's two ends."""
         v, w = self.graph.edges[edge]
         return self.screen[v], self.screen[w]
+
+    def shows(self, *ids: str) -> bool:
+        """Whether what lies between some vertices or circles is painted."""
+        return self.part is None or self.part.has(ids)
+
+    def shows_edge(self, edge: str) -> bool:
+        """Whether an edge is painted, and what lies on it."""
+        return self.part is None or self.part.has(self.graph.edges[edge])
 
     @property
     def places(self) -> Places:
@@ -67,11 +97,21 @@ class Scene:
         return Places(self.graph, self.marks, self.screen, self.circles)
 
 
-def paint(painter: QtGui.QPainter, scene: Scene) -> None:
-    """Paint everything, from the back to the front."""
+def paint(painter: QtGui.QPainter, scene: Scene, lines: Callable[[], None] | None = None) -> None:
+    """Paint everything, from the back to the front; `lines` does what `paint_lines` does else."""
     painter.setRenderHint(QtGui.QPainter.Antialiasing)
     _paint_left_out(painter, scene)
     _paint_conflicts(painter, scene)
+    if lines is None:
+        paint_lines(painter, scene)
+    else:
+        lines()
+    paint_plaques(painter, scene)
+    paint_numbers(painter, scene)
+
+
+def paint_lines(painter: QtGui.QPainter, scene: Scene) -> None:
+    """Paint edges, vertices and the symbols on them."""
     # Below the edges, whose ends they would cover else.
     _paint_right_angles(painter, scene)
     fine(painter, scene.rings, style.EDGE)
@@ -80,8 +120,6 @@ def paint(painter: QtGui.QPainter, scene: Scene) -> None:
     _paint_symmetry_planes(painter, scene)
     _paint_vertices(painter, scene)
     _paint_touching(painter, scene)
-    paint_plaques(painter, scene)
-    paint_numbers(painter, scene)
 
 
 def _paint_left_out(painter: QtGui.QPainter, scene: Scene) -> None:
@@ -118,10 +156,12 @@ def _hatch(painter: QtGui.QPainter, area: QtCore.QRectF) -> None:
 
 def _paint_edges(painter: QtGui.QPainter, scene: Scene) -> None:
     helping = set(scene.graph.construction)
-    traced: list[Stroke] = [scene.ends(e) for e in scene.graph.edges if e in helping]
-    drawn: list[Stroke] = [scene.ends(e) for e in scene.graph.edges if e not in helping]
-    traced += [stroke for c, stroke in scene.circles.items() if c in helping]
-    drawn += [stroke for c, stroke in scene.circles.items() if c not in helping]
+    edges = [e for e in scene.graph.edges if scene.shows_edge(e)]
+    circles = {c: line for c, line in scene.circles.items() if scene.shows(c)}
+    traced: list[Stroke] = [scene.ends(e) for e in edges if e in helping]
+    drawn: list[Stroke] = [scene.ends(e) for e in edges if e not in helping]
+    traced += [stroke for c, stroke in circles.items() if c in helping]
+    drawn += [stroke for c, stroke in circles.items() if c not in helping]
     stroke(painter, traced, style.CONSTRUCTION, style.CONSTRUCTION_PX, dashed=True)
     stroke(painter, drawn, style.EDGE, style.EDGE_PX)
 
@@ -142,6 +182,8 @@ def _paint_conflicts(painter: QtGui.QPainter, scene: Scene) -> None:
 def _paint_right_angles(painter: QtGui.QPainter, scene: Scene) -> None:
     marked: dict[bool, list[Stroke]] = {False: [], True: []}
     for id_, vertices in scene.marks.right_angles.items():
+        if not scene.shows(*vertices):
+            continue
         points = [scene.screen[v] for v in vertices]
         bad = id_ in scene.findings.conflicts
         marked[bad].append(symbols.right_angle(*points, style.RIGHT_ANGLE_PX))
@@ -153,9 +195,11 @@ def _paint_marks(painter: QtGui.QPainter, scene: Scene) -> None:
     """Ticks and arrows: each group its number of them, and its colour."""
     strokes: dict[str, list[Stroke]] = {}
     for edge, count in scene.marks.equal_lengths.items():
-        strokes.setdefault(_group_colour(count), []).extend(ticks_on(scene.places, edge))
+        if scene.shows_edge(edge):
+            strokes.setdefault(_group_colour(count), []).extend(ticks_on(scene.places, edge))
     for edge, count in scene.marks.parallels.items():
-        strokes.setdefault(_group_colour(count), []).extend(arrows_on(scene.places, edge))
+        if scene.shows_edge(edge):
+            strokes.setdefault(_group_colour(count), []).extend(arrows_on(scene.places, edge))
     for colour, lines in strokes.items():
         stroke(painter, lines, colour, style.SYMBOL_PX)
 
@@ -167,6 +211,8 @@ def _group_colour(number: int) -> str:
 def _paint_symmetry_planes(painter: QtGui.QPainter, scene: Scene) -> None:
     """A dotted line around the middles of the edges that a plane halves, a diamond on each."""
     for edges in scene.marks.symmetry_planes:
+        if not scene.shows(*(v for e in edges for v in scene.graph.edges[e])):
+            continue
         middles = [middle(scene.ends(e)) for e in edges]
         fine(painter, [outline_of(middles)], style.SYMMETRY)
         diamonds = [symbols.diamond(place, style.DIAMOND_PX) for place in middles]
@@ -176,7 +222,7 @@ def _paint_symmetry_planes(painter: QtGui.QPainter, scene: Scene) -> None:
 def _paint_touching(painter: QtGui.QPainter, scene: Scene) -> None:
     """A ring around vertices that touch a face."""
     radius = style.TOUCHING_PX
-    places = [scene.screen[v] for v in scene.marks.on_face]
+    places = [scene.screen[v] for v in scene.marks.on_face if scene.shows(v)]
     rings = [
         symbols.ellipse(((x - radius, y), (x + radius, y)), ((x, y - radius), (x, y + radius)))
         for x, y in places
@@ -188,6 +234,8 @@ def _paint_vertices(painter: QtGui.QPainter, scene: Scene) -> None:
     """Discs; green ones stand on the ground, orange squares are not held by anything yet."""
     radius = style.VERTEX_RADIUS_PX
     for vertex, (x, y) in scene.screen.items():
+        if not scene.shows(vertex):
+            continue
         on_ground = vertex in scene.marks.ground
         painter.setPen(QtGui.QPen(QtGui.QColor(style.CASING if on_ground else style.EDGE), 1.5))
         painter.setBrush(QtGui.QColor(style.GROUND if on_ground else style.VERTEX))

@@ -22,6 +22,7 @@ from .plane import middle
 from .preview import Selection
 from .qt import QtCore, QtGui, position_of
 from .questions import Question
+from .still_layer import StillLayer
 from .tools import KEYS
 from .tools.base import Pointer
 
@@ -93,6 +94,7 @@ class SketchView(PhotoView):
         self._hint = ""
         self._lifted = LiftedView()
         self._ghosts = Ghosts()
+        self._still = StillLayer()
         self._told: tuple[SketchGraph, Selection] = (graph, Selection())
         listener = Listener(
             self.graph_edited.emit, self._refresh, self._ask, self.rectangle_told.emit
@@ -271,13 +273,23 @@ class SketchView(PhotoView):
             self._drawing.preview, self._drawing.selection, on_screen, self.in_words
         )
         previews.paint_below(painter, scene, work)
-        overlay.paint(painter, scene)
+        overlay.paint(painter, scene, self._still_lines(painter, scene))
         self._ghosts.paint(painter, scene)
         previews.paint_above(painter, scene, work)
         empty = not graph.vertices and not graph.circles and not work.preview.strokes
         if empty and self.tool_name != "camera":
             previews.paint_invitation(painter, self.viewport().rect(), self.invitation)
         painter.restore()
+
+    def _still_lines(
+        self, painter: QtGui.QPainter, scene: overlay.Scene
+    ) -> Callable[[], None] | None:
+        """In the middle of a drag: paint what stays where it is as a picture of before."""
+        if not self.is_in_hand:
+            return None
+        corners = (self._on_screen((0.0, 0.0)), self._on_screen((1.0, 1.0)))
+        committed = self._drawing.committed
+        return lambda: self._still.paint(painter, scene, committed, corners)
 
     def _paint_grid(self, painter: QtGui.QPainter, on_screen: Callable[[Point], Point]) -> None:
         grid = self._drawing.grid

@@ -70,11 +70,22 @@ def remember_solution(sketch_text: str, solution: Solution) -> None:
         del _solutions[text]
 
 
-def lift(graph: SketchGraph, stop: Callable[[], bool] | None = None) -> Solution:
-    """The graph lifted to 3D; `stop` is asked now and then whether to give up."""
+def lift(
+    graph: SketchGraph, stop: Callable[[], bool] | None = None, start: Solution | None = None
+) -> Solution:
+    """The graph lifted to 3D.
+
+    Parameters
+    ----------
+    graph : SketchGraph
+    stop : callable, optional
+        Asked now and then whether to give up.
+    start : Solution, optional
+        Of the sketch before some small change.
+    """
     from ...solver import solve
 
-    return solve(graph, stop=stop)
+    return solve(graph, start=start, stop=stop)
 
 
 def begin_drag(graph: SketchGraph, solution: Solution) -> Drag:

@@ -33,6 +33,8 @@ class AnnotationPanel(QtGui.QWidget):
         super().__init__()
         self.controller: SketchController | None = None
         self._listed: tuple[object, ...] = ()
+        self._judged: tuple[object, ...] = ()
+        self._marked: tuple[object, ...] = ()
         self._followed: tuple[object, frozenset[str]] = (None, frozenset())
         self._follows = host.translate("InContext", "Follows from the others")
         self._list = _List()
@@ -93,6 +95,7 @@ class AnnotationPanel(QtGui.QWidget):
         return None if lift is None else lift[1].report
 
     def _fill(self, graph: SketchGraph | None) -> None:
+        self._judged = self._marked = ()
         self._list.clear()
         for id_, annotation in ({} if graph is None else graph.annotations).items():
             row = QtGui.QTreeWidgetItem([texts.words_of(annotation), texts.size_text(annotation)])
@@ -107,6 +110,10 @@ class AnnotationPanel(QtGui.QWidget):
         """Write each annotation's residual; what disagrees in red."""
         bad = () if report is None else report.conflicts
         idle = self._idle()
+        said = (self._listed, None if report is None else report.residuals, bad, idle)
+        if said == self._judged:
+            return
+        self._judged = said
         for row in self._list.rows():
             id_ = row.data(WHAT, _ID)
             residual = None if report is None else report.residuals.get(id_)
@@ -174,6 +181,10 @@ class AnnotationPanel(QtGui.QWidget):
             return
         chosen = self.controller.tab.view.selection
         graph = self._graph()
+        marked = (chosen, () if graph is None else graph.annotations)
+        if marked == self._marked:
+            return
+        self._marked = marked
         ids = chosen.annotations or said_of(graph, chosen)
         self._list.blockSignals(True)
         for row in self._list.rows():

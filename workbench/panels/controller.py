@@ -25,7 +25,7 @@ from ..features.shelled_solid import is_shelled_solid
 from ..problems import known_problems
 from .camera_finding import CameraFinding
 from .clipboard import photo_file
-from .lifting import Lifting
+from .lifting import Lifting, lift_in_time
 from .messages import tell
 from .photo_plane import PhotoPlane
 from .shape_preview import ShapePreview
@@ -78,10 +78,19 @@ class SketchController:
         from ...solver.serialise import sketch_to_text
 
         graph = self._with_new_faces(graph)
+        text = sketch_to_text(graph)
+        self._lift_ahead(graph, text)
         document = self.obj.Document
         with host.transaction(document, host.translate("InContext", words)):
-            self.obj.Sketch = sketch_to_text(graph)
+            self.obj.Sketch = text
             document.recompute()
+
+    def _lift_ahead(self, graph: SketchGraph, text: str) -> None:
+        """Have the solution ready that the recompute of a model asks for: it would wait for it."""
+        if pipeline.known_solution_of(text) is None and _dependents(self.obj):
+            solution = lift_in_time(graph, self.lift)
+            if solution is not None:
+                pipeline.remember_solution(text, solution)
 
     def _with_new_faces(self, graph: SketchGraph) -> SketchGraph:
         """The graph with the faces that came with an edit, where it lists its faces."""

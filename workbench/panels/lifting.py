@@ -213,12 +213,29 @@ class Lifting(QtCore.QObject):
             self.lifted.emit(graph, solution)
 
 
-def _lift(graph: SketchGraph, stop: Callable[[], bool]) -> Solution | None:
+def _lift(
+    graph: SketchGraph, stop: Callable[[], bool], start: Solution | None = None
+) -> Solution | None:
     """The graph in 3D; None where that cannot be told, which the photo sketch itself then says."""
     try:
-        return pipeline.lift(graph, stop)
+        return pipeline.lift(graph, stop, start)
     except known_problems():
         return None
+
+
+def lift_in_time(graph: SketchGraph, last: tuple[SketchGraph, Solution] | None) -> Solution | None:
+    """A solution for a document that is about to be recomputed; None where none came in time.
+
+    From nothing where that takes a blink; else from the last shape, which the hand has led there:
+    a good shape is the same one then, to the last digits.
+    """
+    known = last[1] if last is not None and _is_alike(last[0], graph) else None
+    for start in (None,) if known is None else (None, known):
+        late = _Late(time.thread_time() + BLINK_S)
+        solution = _lift(graph, late, start)
+        if not late.said_so:
+            return solution
+    return None
 
 
 def _is_alike(a: SketchGraph, b: SketchGraph) -> bool:

@@ -38,6 +38,7 @@ class ShapePreview:
         self._points = coin.SoCoordinate3()
         self._faces = coin.SoIndexedFaceSet()
         self._lines = coin.SoIndexedLineSet()
+        self._joined: tuple[list[list[int]], list[list[int]]] = ([], [])
         self._hidden: list[tuple[Any, int]] = []
         # Nothing to click, and out of the way of FreeCAD's own highlighting.
         pick = coin.SoPickStyle()
@@ -92,8 +93,11 @@ class ShapePreview:
         if not np.isfinite(np.array(points)).all():
             return
         set_values(self._points.point, points)
-        set_values(self._faces.coordIndex, _ended(faces))
-        set_values(self._lines.coordIndex, _ended(lines))
+        if (faces, lines) != self._joined:
+            # In the middle of a drag places change alone.
+            self._joined = (faces, lines)
+            set_values(self._faces.coordIndex, _ended(faces))
+            set_values(self._lines.coordIndex, _ended(lines))
 
 
 def view_3d_of(document_name: str) -> Any:

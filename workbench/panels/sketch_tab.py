@@ -31,6 +31,7 @@ class SketchTab(QtGui.QWidget):
         self._light = QtGui.QLabel()
         self._light.setFixedSize(10, 10)
         self._outcome = ""
+        self._said: tuple[str, bool] | None = None
         self._words = QtGui.QLabel()
         self._words.setTextFormat(_Qt.RichText)
         self._words.linkActivated.connect(self.view.go_to)
@@ -106,6 +107,9 @@ class SketchTab(QtGui.QWidget):
 
     def show_outcome(self, words: str, *, good: bool) -> None:
         """Say how the last solve went."""
+        if (words, good) == self._said:
+            return
+        self._said = (words, good)
         colour = GOOD if good else BAD
         self._light.setVisible(bool(words))
         self._light.setStyleSheet(f"background: {colour}; border-radius: 5px;")

@@ -55,6 +55,10 @@ def stored(copy):
         return archive.read("Document.xml").decode()
 
 
+def has_sketch(copy, text):
+    return recovery.with_sketches(stored(copy), {"PhotoSketch": text}) == stored(copy)
+
+
 def test_copy_follows_each_step_undo_and_the_model(copy, shelf, document):
     from incontext.workbench.panels.tabs import open_tabs
 
@@ -62,11 +66,10 @@ def test_copy_follows_each_step_undo_and_the_model(copy, shelf, document):
     controller.tab.view._drawing.select_all()
     controller.tab.view._drawing.push((5.0, 0.0))
     assert shelf[0].Sketch != text
-    wait_until(copy.exists)
-    moved = stored(copy)
-    assert recovery.with_sketches(moved, {"PhotoSketch": shelf[0].Sketch}) == moved
+    wait_until(lambda: copy.exists() and has_sketch(copy, shelf[0].Sketch))
     controller.undo()
-    wait_until(lambda: stored(copy) != moved)
+    assert shelf[0].Sketch == text
+    wait_until(lambda: has_sketch(copy, text))
     shelf[2].Thickness = 7
     wait_until(lambda: 'value="7.0' in stored(copy))
     assert document.FileName == ""
@@ -85,7 +88,7 @@ def test_slow_document_is_patched_at_once_and_written_when_the_hand_rests(
     shelf[0].Sketch = text
     wait_until(lambda: patched)
     assert (patched, written) == ([True], [])
-    assert recovery.with_sketches(stored(copy), {"PhotoSketch": text}) == stored(copy)
+    assert has_sketch(copy, text)
     names = zipfile.ZipFile(copy).namelist()
     assert names[0] == "Document.xml"
     assert "shelf.jpg" in names

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from .key_cursor import FAST_PX, FINE_PX, STEP_PX
 from .qt import QtCore, QtGui
 from .tools import KEYS
 
@@ -25,6 +26,14 @@ _PLAIN = {
     **{getattr(_Qt, f"Key_{letter}"): letter for letter in KEYS},
 }
 
+#: Shift makes these keys on some keyboards.
+_ZOOMS = {
+    _Qt.Key_Plus: "zoom_in",
+    _Qt.Key_Equal: "zoom_in",
+    _Qt.Key_Minus: "zoom_out",
+    _Qt.Key_Underscore: "zoom_out",
+}
+
 #: Where arrow keys push what is selected: right and down, in px of the screen.
 ARROWS = {
     _Qt.Key_Left: (-1, 0),
@@ -38,12 +47,24 @@ FAR_PUSH = 10
 
 def push_of(event: QtGui.QKeyEvent) -> tuple[int, int] | None:
     """How far an arrow key pushes, in px of the screen; None for other keys."""
+    return _by_arrows(event, {_Qt.NoModifier: 1, _Qt.ShiftModifier: FAR_PUSH})
+
+
+def step_of(event: QtGui.QKeyEvent) -> tuple[int, int] | None:
+    """How far an arrow key moves the keyboard's cursor, in px of the screen."""
+    plain, fast, fine = STEP_PX, FAST_PX, FINE_PX
+    return _by_arrows(
+        event, {_Qt.NoModifier: plain, _Qt.ShiftModifier: fast, _Qt.ControlModifier: fine}
+    )
+
+
+def _by_arrows(
+    event: QtGui.QKeyEvent, steps: dict[_Qt.KeyboardModifier, int]
+) -> tuple[int, int] | None:
     way = ARROWS.get(event.key())
     modifiers = event.modifiers() & ~_Qt.KeypadModifier
-    if way is None or modifiers not in (_Qt.NoModifier, _Qt.ShiftModifier):
-        return None
-    steps = FAR_PUSH if modifiers == _Qt.ShiftModifier else 1
-    return (steps * way[0], steps * way[1])
+    found = next((size for held, size in steps.items() if held == modifiers), None)
+    return None if way is None or found is None else (found * way[0], found * way[1])
 
 
 def meaning(event: QtGui.QKeyEvent) -> str:
@@ -58,8 +79,18 @@ def meaning(event: QtGui.QKeyEvent) -> str:
         return "all"
     if event.matches(QtGui.QKeySequence.Paste):
         return "paste"
-    if push_of(event) is not None:
+    if step_of(event) is not None:
         return "push"
+    if event.key() in (_Qt.Key_Tab, _Qt.Key_Backtab):
+        away = _Qt.ControlModifier | _Qt.AltModifier | _Qt.MetaModifier
+        return "" if event.modifiers() & away else "next"
+    if event.key() == _Qt.Key_Space and event.modifiers() in (
+        _Qt.ShiftModifier,
+        _Qt.ControlModifier,
+    ):
+        return "click"
+    if event.key() in _ZOOMS and not event.modifiers() & _Qt.ControlModifier:
+        return _ZOOMS[event.key()]
     # The number pad's Enter says that it lies there.
     plain = event.modifiers() in (_Qt.NoModifier, _Qt.KeypadModifier)
     return _PLAIN.get(event.key(), "") if plain else ""

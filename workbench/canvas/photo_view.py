@@ -13,6 +13,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from . import style
+from .photo_giving import photo_in
 from .photo_item import PhotoItem
 from .qt import QtCore, QtGui, position_of
 
@@ -31,7 +32,15 @@ LEAST_WINDOW_PX = 16.0
 
 
 class PhotoView(QtGui.QGraphicsView):
-    """A photo: the wheel zooms at the pointer, the middle button or Space pans."""
+    """A photo: the wheel zooms at the pointer, the middle button or Space pans.
+
+    Signals
+    -------
+    photo_given(object)
+        A photo was dropped or pasted: its Path, or a QImage.
+    """
+
+    photo_given = QtCore.Signal(object)
 
     def __init__(self, parent: QtGui.QWidget | None = None) -> None:
         super().__init__(parent)
@@ -46,6 +55,7 @@ class PhotoView(QtGui.QGraphicsView):
         self.setBackgroundBrush(QtGui.QColor(style.OUTSIDE))
         self.setFrameShape(QtGui.QFrame.NoFrame)
         self.setMouseTracking(True)
+        self.setAcceptDrops(True)
         self.setFocusPolicy(_Qt.StrongFocus)
         self.setHorizontalScrollBarPolicy(_Qt.ScrollBarAlwaysOff)
         self.setVerticalScrollBarPolicy(_Qt.ScrollBarAlwaysOff)
@@ -182,3 +192,27 @@ class PhotoView(QtGui.QGraphicsView):
         """A key let go elsewhere is not seen here."""
         self._space_held = False
         super().focusOutEvent(event)
+
+    # Drops
+
+    def dragEnterEvent(self, event: QtGui.QDragEnterEvent) -> None:  # noqa: N802  Qt's names
+        """Take photos."""
+        if photo_in(event.mimeData()) is not None:
+            event.acceptProposedAction()
+
+    def dragMoveEvent(self, event: QtGui.QDragMoveEvent) -> None:  # noqa: N802
+        """Take them anywhere."""
+        event.acceptProposedAction()
+
+    def dropEvent(self, event: QtGui.QDropEvent) -> None:  # noqa: N802
+        """Hand the photo on."""
+        given = photo_in(event.mimeData())
+        if given is not None:
+            event.acceptProposedAction()
+            self.photo_given.emit(given)
+
+    def paste(self) -> None:
+        """Hand on the photo that was copied."""
+        given = photo_in(QtGui.QApplication.clipboard().mimeData())
+        if given is not None:
+            self.photo_given.emit(given)

@@ -193,3 +193,18 @@ def paint_invitation(painter: QtGui.QPainter, area: QtCore.QRect, words: str) ->
     painter.drawRoundedRect(plaque, 6, 6)
     painter.setPen(QtGui.QColor(style.TEXT))
     painter.drawText(room, words, centred)
+
+
+def paint_cursor(painter: QtGui.QPainter, place: Point) -> None:
+    """A cross with an open middle, dark in a light casing, in px of the screen."""
+    x, y = place
+    near, far = style.CURSOR_PX
+    arms = [
+        QtCore.QLineF(x + near * dx, y + near * dy, x + far * dx, y + far * dy)
+        for dx, dy in ((1, 0), (-1, 0), (0, 1), (0, -1))
+    ]
+    for colour, wide in ((style.CASING, 5.0), (style.TEXT, 2.0)):
+        pen = QtGui.QPen(QtGui.QColor(colour), wide)
+        pen.setCapStyle(_Qt.RoundCap)
+        painter.setPen(pen)
+        painter.drawLines(arms)

@@ -65,6 +65,8 @@ CONFLICT_PX = 12.0
 SNAP_PX = 7.0
 DOT_PX = 3.0
 GRIP_PX = 7.0
+CURSOR_PX = (5.0, 15.0)
+"""Where the arms of the keyboard's cursor begin and end."""
 DIAMOND_PX = 4.5
 TOUCHING_PX = 6.8
 """Radius of the ring around a vertex that touches a face."""

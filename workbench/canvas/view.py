@@ -11,18 +11,18 @@ from .drawing import Drawing, Listener
 from .evident import taken
 from .ghosts import Ghosts
 from .grid_painting import paint_grid, paint_note
+from .key_cursor import KeyCursor
 from .length_editor import LengthEditor
 from .lift_painting import paint_lift
 from .lifted import LiftedView
 from .marks import length_text
 from .numbers import Numbers
-from .photo_giving import photo_in
-from .photo_view import PhotoView
-from .plane import middle
+from .photo_view import ZOOM_STEP, PhotoView
 from .preview import Selection
 from .qt import QtCore, QtGui, position_of
 from .questions import Question
 from .still_layer import StillLayer
+from .stops import place_of
 from .tools import KEYS
 from .tools.base import Pointer
 
@@ -59,8 +59,6 @@ class SketchView(PhotoView):
         Something else is selected: a Selection.
     helpers_changed()
         Something that helps the hand was switched on or off.
-    photo_given(object)
-        A photo was dropped or pasted: its Path, or a QImage.
     rectangle_told(object)
         The camera is wanted: a KnownRectangle, or None to look for the printed marker.
     """
@@ -73,8 +71,6 @@ class SketchView(PhotoView):
     graph_shown = QtCore.Signal(object)
     selection_changed = QtCore.Signal(object)
     helpers_changed = QtCore.Signal()
-    photo_given = QtCore.Signal(object)
-
     rectangle_told = QtCore.Signal(object)
 
     def __init__(
@@ -100,9 +96,9 @@ class SketchView(PhotoView):
             self.graph_edited.emit, self._refresh, self._ask, self.rectangle_told.emit
         )
         self._drawing = Drawing(graph, listener)
+        self._cursor = KeyCursor(self._drawing)
         self._drawing.attraction.patch = self.grey_around
         self._editor = LengthEditor(self.viewport(), self._drawing.answer)
-        self.setAcceptDrops(True)
         self._refresh()
         self.set_photo(image, sketch_size(graph))
 
@@ -154,12 +150,7 @@ class SketchView(PhotoView):
         """Select a vertex, an edge, a circle or an annotation, and bring it into view."""
         one = frozenset((id_,))
         self.select(Selection(one, one, one, one))
-        chosen = self.selection.with_targets(self.graph)
-        ends = [v for e in chosen.edges for v in self.graph.edges[e]]
-        places = [self.graph.vertices[v] for v in (*chosen.vertices, *ends)]
-        places += [p for c in chosen.circles for p in self.graph.circles[c].a]
-        if places:
-            self.ensureVisible(QtCore.QRectF(QtCore.QPointF(*middle(places)), QtCore.QSizeF(1, 1)))
+        self._bring_into_view(place_of(self.graph, self.selection))
         self.setFocus()
 
     @property
@@ -238,6 +229,7 @@ class SketchView(PhotoView):
     def use_tool(self, name: str) -> None:
         """Take another tool."""
         self._editor.close_unsaid()
+        self._cursor.tool_changed()
         self._telling_of_the_tool(lambda: self._drawing.use(name))
 
     def _refresh(self) -> None:
@@ -276,6 +268,8 @@ class SketchView(PhotoView):
         overlay.paint(painter, scene, self._still_lines(painter, scene))
         self._ghosts.paint(painter, scene)
         previews.paint_above(painter, scene, work)
+        if self._cursor.place_px is not None:
+            previews.paint_cursor(painter, on_screen(self._cursor.place_px))
         empty = not graph.vertices and not graph.circles and not work.preview.strokes
         if empty and self.tool_name != "camera":
             previews.paint_invitation(painter, self.viewport().rect(), self.invitation)
@@ -318,19 +312,25 @@ class SketchView(PhotoView):
         super().mousePressEvent(event)
         self._editor.close_unsaid()
         if event.button() == _Qt.LeftButton and not self.is_panning:
-            if self._ghosts.lit is not None:
-                self.take_suggestions((self._ghosts.lit,))
-            else:
-                self._drawing.press(self._pointer(event))
+            self._press_at(self._pointer(event))
         elif event.button() == _Qt.RightButton:
             self._drawing.finish()
 
     def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:  # noqa: N802
         """Pan, or let the tool follow."""
         super().mouseMoveEvent(event)
+        self._cursor.hide()
         if not self.is_panning:
-            self._drawing.move(self._pointer(event))
-            self._point_at_ghosts(event)
+            pointer = self._pointer(event)
+            self._drawing.move(pointer)
+            self._point_at_ghosts(pointer.point_px, is_free=not event.buttons())
+
+    def _press_at(self, pointer: Pointer) -> None:
+        """Take the ghost that is pointed at, or let the tool work."""
+        if self._ghosts.lit is not None:
+            self.take_suggestions((self._ghosts.lit,))
+        else:
+            self._drawing.press(pointer)
 
     def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:  # noqa: N802
         """Let go of the photo, or let the tool end."""
@@ -339,13 +339,11 @@ class SketchView(PhotoView):
         if event.button() == _Qt.LeftButton and not was_panning:
             self._drawing.release(self._pointer(event))
 
-    def _point_at_ghosts(self, event: QtGui.QMouseEvent) -> None:
+    def _point_at_ghosts(self, place_px: Point | None, *, is_free: bool) -> None:
         """Light the ghost under the pointer; it is there for who selects, and draws nothing."""
         at_vertex = bool(self._drawing.preview.lit.vertices)
-        free = self.tool_name == "select" and not event.buttons() and not at_vertex
-        pointer = position_of(event)
-        where = (float(pointer.x()), float(pointer.y()))
-        if self._ghosts.point_at(where if free else None):
+        looks = is_free and self.tool_name == "select" and not at_vertex and place_px is not None
+        if self._ghosts.point_at(self._on_screen(place_px) if looks else None):
             self._refresh()
 
     def cursor_shape(self) -> _Qt.CursorShape:
@@ -360,9 +358,12 @@ class SketchView(PhotoView):
 
     def _pointer(self, event: QtGui.QMouseEvent) -> Pointer:
         point = self.mapToScene(position_of(event))
-        free = bool(event.modifiers() & _Qt.ControlModifier)
-        adding = free or bool(event.modifiers() & _Qt.ShiftModifier)
-        return Pointer((point.x(), point.y()), style.REACH_PX / self.zoom, adding, free)
+        return self._pointer_at((point.x(), point.y()), event.modifiers())
+
+    def _pointer_at(self, place_px: Point, held: _Qt.KeyboardModifiers) -> Pointer:
+        free = bool(held & _Qt.ControlModifier)
+        adding = free or bool(held & _Qt.ShiftModifier)
+        return Pointer(place_px, style.REACH_PX / self.zoom, adding, free)
 
     # Keys
 
@@ -370,6 +371,10 @@ class SketchView(PhotoView):
         """Claim our keys before FreeCAD's shortcuts: Delete would delete the selected object."""
         if event.type() == QtCore.QEvent.ShortcutOverride and keys.meaning(event):
             event.accept()
+            return True
+        if event.type() == QtCore.QEvent.KeyPress and keys.meaning(event) == "next":
+            # Else Qt would go on to the next widget.
+            self.keyPressEvent(event)
             return True
         return super().event(event)
 
@@ -379,9 +384,7 @@ class SketchView(PhotoView):
         if meaning in KEYS:
             self.use_tool(KEYS[meaning])
             return
-        push = keys.push_of(event)
-        if push is not None:
-            self._drawing.push((push[0] / self.zoom, push[1] / self.zoom))
+        if self._point_by_key(event, meaning):
             return
         action = {
             "undo": self.undo_asked.emit,
@@ -390,40 +393,62 @@ class SketchView(PhotoView):
             "enter": self._drawing.enter,
             "delete": self._drawing.delete,
             "all": self._select_all,
-            "paste": self._paste,
+            "paste": self.paste,
             "suggestions": self.take_suggestions,
             "construction": self.toggle_construction,
             "numbers": self.toggle_numbers,
             "grid": self.toggle_grid,
             "photo_edges": self.toggle_photo_edges,
+            "zoom_in": lambda: self._zoom_by_key(ZOOM_STEP),
+            "zoom_out": lambda: self._zoom_by_key(1 / ZOOM_STEP),
         }.get(meaning)
         if action is None:
             super().keyPressEvent(event)
         else:
             action()
 
-    def _paste(self) -> None:
-        given = photo_in(QtGui.QApplication.clipboard().mimeData())
-        if given is not None:
-            self.photo_given.emit(given)
+    def _point_by_key(self, event: QtGui.QKeyEvent, meaning: str) -> bool:
+        """Point, push or click by a key, if it means that."""
+        push, step = keys.push_of(event), keys.step_of(event)
+        pointer = self._pointer_at(self._cursor.place_px or (0.0, 0.0), event.modifiers())
+        if push is not None and self.tool_name == "select" and self.selection:
+            self._drawing.push((push[0] / self.zoom, push[1] / self.zoom))
+        elif step is not None:
+            by_px = (step[0] / self.zoom, step[1] / self.zoom)
+            # The key that makes the steps fine has another meaning for the pen.
+            plain = self._pointer_at(pointer.point_px, _Qt.NoModifier)
+            self._bring_into_view(self._cursor.step(by_px, self._hand_px(), plain))
+        elif meaning == "next":
+            way = -1 if event.key() == _Qt.Key_Backtab else 1
+            self._bring_into_view(self._cursor.go_on(way, replace(pointer, adding=False)))
+        elif meaning in ("pan", "click") and self._cursor.place_px is not None:
+            if not event.isAutoRepeat():
+                self._press_at(pointer)
+                self._drawing.release(pointer)
+        else:
+            return False
+        self._point_at_ghosts(self._cursor.place_px, is_free=True)
+        return True
 
-    # Drops
+    def _hand_px(self) -> Point:
+        """Where the mouse is in the photo; the middle of the view where it is elsewhere."""
+        area, pos = self.viewport().rect(), self.viewport().mapFromGlobal(QtGui.QCursor.pos())
+        point = self.mapToScene(pos if area.contains(pos) else area.center())
+        return (point.x(), point.y())
 
-    def dragEnterEvent(self, event: QtGui.QDragEnterEvent) -> None:  # noqa: N802  Qt's names
-        """Take photos."""
-        if photo_in(event.mimeData()) is not None:
-            event.acceptProposedAction()
+    def _bring_into_view(self, place_px: Point | None) -> None:
+        if place_px is not None:
+            self.ensureVisible(QtCore.QRectF(QtCore.QPointF(*place_px), QtCore.QSizeF(1, 1)))
+        self.viewport().update()
 
-    def dragMoveEvent(self, event: QtGui.QDragMoveEvent) -> None:  # noqa: N802
-        """Take them anywhere."""
-        event.acceptProposedAction()
-
-    def dropEvent(self, event: QtGui.QDropEvent) -> None:  # noqa: N802
-        """Hand the photo on."""
-        given = photo_in(event.mimeData())
-        if given is not None:
-            event.acceptProposedAction()
-            self.photo_given.emit(given)
+    def _zoom_by_key(self, factor: float) -> None:
+        """Zoom at the keyboard's cursor, or at the middle."""
+        anchor = self.transformationAnchor()
+        self.setTransformationAnchor(QtGui.QGraphicsView.AnchorViewCenter)
+        self.zoom_by(factor)
+        self.setTransformationAnchor(anchor)
+        if self._cursor.place_px is not None:
+            self.centerOn(QtCore.QPointF(*self._cursor.place_px))
 
     def _escape(self) -> None:
         self._telling_of_the_tool(self._drawing.escape)

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
+from .. import stops
 from ..plane import Point
 from ..preview import Preview
 from ..snapping import Lead, Snap, SnapKind, always, never, snap
@@ -100,6 +101,11 @@ class Tool:
     def graph_replaced(self) -> None:
         """The graph came from elsewhere: by undo, say."""
         self.cancel()
+
+    def stops(self, reach_px: float) -> list[Point]:
+        """Places to point at, one after the other, for who works with keys alone."""
+        graph = self.drawing.graph
+        return [*stops.vertices(graph), *stops.edges(graph), *stops.circles(graph)]
 
     def preview(self) -> Preview:
         """What to show besides the graph."""

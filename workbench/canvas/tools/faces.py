@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ....solver.listing import set_included
-from ..plane import middle
+from .. import stops
+from ..plane import Point, middle
 from ..preview import Preview
 from ..questions import About, Question
 from ..solved import face_at, outline, why_no_faces
@@ -21,6 +22,10 @@ class FaceTool(Tool):
     def __init__(self, drawing: Drawing) -> None:
         super().__init__(drawing)
         self._face: str | None = None
+
+    def stops(self, reach_px: float) -> list[Point]:
+        """See `Tool`."""
+        return stops.faces(self.drawing.graph, self.drawing.faces)
 
     def preview(self) -> Preview:
         """See `Tool`."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ....solver.annotating import toggle_ground
+from .. import stops
 from ..hit_testing import edge_at, inside_box, vertex_at
 from ..loops import quad_around
 from ..plane import Point
@@ -32,6 +33,11 @@ class GroundTool(Tool):
     def hint(self) -> str:
         """See `Tool`."""
         return "Click what stands on the ground: vertices, edges, the middle of a face; or box them"
+
+    def stops(self, reach_px: float) -> list[Point]:
+        """See `Tool`."""
+        graph = self.drawing.graph
+        return [*stops.loops(graph), *stops.vertices(graph)]
 
     def preview(self) -> Preview:
         """See `Tool`."""

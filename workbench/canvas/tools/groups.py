@@ -6,12 +6,14 @@ from typing import TYPE_CHECKING, ClassVar
 
 from ....solver.annotating import set_group
 from ....solver.annotations import EqualLength, Parallel
+from .. import stops
 from ..hit_testing import edge_at
 from ..preview import Preview, Selection
 from .base import Pointer, Tool
 
 if TYPE_CHECKING:
     from ..drawing import Drawing
+    from ..plane import Point
 
 
 class GroupTool(Tool):
@@ -25,6 +27,10 @@ class GroupTool(Tool):
         self._lit: str | None = None
         self._group: str | None = None
         self._picked: tuple[str, ...] = ()
+
+    def stops(self, reach_px: float) -> list[Point]:
+        """See `Tool`."""
+        return stops.edges(self.drawing.graph)
 
     def preview(self) -> Preview:
         """See `Tool`."""

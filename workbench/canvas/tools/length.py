@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from .. import stops
 from ..hit_testing import circle_at, edge_at
 from ..preview import Preview, Selection
 from ..questions import about_circle, about_edge
@@ -11,6 +12,7 @@ from .base import Pointer, Tool
 
 if TYPE_CHECKING:
     from ..drawing import Drawing
+    from ..plane import Point
 
 
 class LengthTool(Tool):
@@ -28,6 +30,10 @@ class LengthTool(Tool):
     def hint(self) -> str:
         """See `Tool`."""
         return "Click an edge or a circle, type its size (210, 21 cm, 3/4 in); empty removes it"
+
+    def stops(self, reach_px: float) -> list[Point]:
+        """See `Tool`."""
+        return [*stops.edges(self.drawing.graph), *stops.circles(self.drawing.graph)]
 
     def preview(self) -> Preview:
         """See `Tool`."""

@@ -8,6 +8,7 @@ from ....solver.annotating import annotate
 from ....solver.annotations import OnFace
 from ....solver.editing import delete
 from ....solver.listing import with_list
+from .. import stops
 from ..hit_testing import vertex_at
 from ..preview import Preview, Selection
 from ..solved import face_at, outline, why_no_faces
@@ -16,6 +17,7 @@ from .base import Pointer, Tool
 if TYPE_CHECKING:
     from ....solver.graph import Face
     from ..drawing import Drawing
+    from ..plane import Point
 
 
 class OnFaceTool(Tool):
@@ -48,6 +50,11 @@ class OnFaceTool(Tool):
             for id_, face in faces.items()
             if not any(self._vertex in loop for loop in face.loops)
         }
+
+    def stops(self, reach_px: float) -> list[Point]:
+        """See `Tool`."""
+        graph = self.drawing.graph
+        return stops.vertices(graph) if self._vertex is None else stops.faces(graph, self._faces())
 
     def preview(self) -> Preview:
         """See `Tool`."""

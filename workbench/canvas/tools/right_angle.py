@@ -8,6 +8,7 @@ from ....solver.annotating import annotate
 from ....solver.annotations import RightAngle
 from ....solver.editing import delete
 from ....solver.graph import SketchGraph
+from .. import stops
 from ..hit_testing import Corner, corner_at
 from ..loops import quad_around
 from ..preview import Preview
@@ -15,6 +16,7 @@ from .base import Pointer, Tool
 
 if TYPE_CHECKING:
     from ..drawing import Drawing
+    from ..plane import Point
 
 #: A corner is meant up to this many times the reach from its vertex; further off, a quadrilateral.
 CORNER_REACH = 2.5
@@ -35,6 +37,12 @@ class RightAngleTool(Tool):
     def hint(self) -> str:
         """See `Tool`."""
         return "Click an angle near its corner, or inside a quadrilateral for all four"
+
+    def stops(self, reach_px: float) -> list[Point]:
+        """See `Tool`."""
+        graph = self.drawing.graph
+        # Off the vertex, inside the angle, and near enough to mean it.
+        return [*stops.loops(graph), *stops.corners(graph, reach_px)]
 
     def preview(self) -> Preview:
         """See `Tool`."""

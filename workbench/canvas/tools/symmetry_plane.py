@@ -7,12 +7,14 @@ from typing import TYPE_CHECKING
 from ....solver.annotating import annotate
 from ....solver.annotations import SymmetryPlane
 from ....solver.editing import delete
+from .. import stops
 from ..preview import Preview, Selection
 from ..symmetry import halved_with, midpoint_at, midpoint_px, outline_of
 from .base import Pointer, Tool
 
 if TYPE_CHECKING:
     from ..drawing import Drawing
+    from ..plane import Point
 
 #: A middle is meant up to this many times the reach from it.
 MIDDLE_REACH = 1.5
@@ -36,6 +38,10 @@ class SymmetryPlaneTool(Tool):
         if self._picked:
             return "Shift-click more middles, then Enter or right click; Esc to give up"
         return "Click the middle of an edge that the plane halves; Shift-click picks one by one"
+
+    def stops(self, reach_px: float) -> list[Point]:
+        """See `Tool`."""
+        return stops.edges(self.drawing.graph)
 
     def preview(self) -> Preview:
         """See `Tool`."""

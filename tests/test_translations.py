@@ -21,7 +21,7 @@ SOURCES += [ROOT / "InitGui.py", ROOT / "workbench" / "problems.py"]
 #: Of what has a space or begins like a sentence, these are for programs.
 NOT_FOR_PEOPLE = re.compile(
     r"I, \w|[A-Z]+|\*\..*|.*(\(\?P<|::|__|\\).*|[A-Z][a-z]+([A-Z][A-Za-z]*)+|border: .*|#.*"
-    r"|InContext.*",
+    r"|InContext.*|User parameter:.*|<\?xml.*",
     re.DOTALL,
 )
 #: Names of properties, of FreeCAD's, Qt's and Coin's own things.

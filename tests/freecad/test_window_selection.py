@@ -1,11 +1,14 @@
 """One selection for the sketch and the 3D view."""
 
+from itertools import pairwise
+
 import FreeCADGui
 import pytest
 
 from incontext.tests.freecad.hands import pump
 from incontext.workbench.canvas.preview import Selection
 from incontext.workbench.features import pipeline
+from incontext.workbench.features.plate_set import plates_of
 
 
 @pytest.fixture
@@ -62,3 +65,23 @@ def test_what_is_clicked_on_the_model_is_selected_in_the_sketch(controller, shel
         assert all(any(tuple(end) == pytest.approx(c, abs=1e-6) for c in corners) for end in ends)
     FreeCADGui.Selection.clearSelection()
     assert not view.selection
+
+
+@pytest.mark.parametrize("kind", ["Face", "Edge", "Vertex"])
+def test_clicked_plate_selects_the_edges_of_its_face_and_they_are_lit(
+    controller, shelf, document, kind
+):
+    plates, view = shelf[2], controller.tab.view
+    chosen = set()
+    for solid, plate in zip(plates.Shape.Solids, plates_of(plates), strict=True):
+        FreeCADGui.Selection.clearSelection()
+        part = {"Face": solid.Faces, "Edge": solid.Edges, "Vertex": solid.Vertexes}[kind][0]
+        everything = getattr(plates.Shape, "Vertexes" if kind == "Vertex" else f"{kind}s")
+        number = 1 + next(k for k, other in enumerate(everything) if other.isSame(part))
+        FreeCADGui.Selection.addSelection(document.Name, plates.Name, f"{kind}{number}")
+        loops = [view.graph.faces[face].loop for face in plate.face_ids]
+        sides = {frozenset(pair) for loop in loops for pair in pairwise((*loop, loop[0]))}
+        assert {frozenset(view.graph.edges[e]) for e in view.selection.edges} == sides
+        assert overlays(document)[0] == 2 * len(sides)
+        chosen.add(view.selection)
+    assert len(chosen) == 6

@@ -1,12 +1,14 @@
 """One selection for the sketch and the 3D view: the same ids, lit in both.
 
 What is selected in the sketch is painted over the 3D view, whichever object is shown there; what
-is clicked on a lifted model is selected in the sketch.
+is clicked on a lifted model is selected in the sketch, and of a plate the faces it is made of.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import FreeCAD
@@ -15,6 +17,7 @@ import FreeCADGui
 from ..canvas.lifted import ring_mm
 from ..canvas.preview import Selection
 from ..features.lifted_model import is_lifted_model
+from ..features.plate_set import is_plate_set, plates_of
 from . import tabs
 from .shape_preview import set_values, view_3d_of
 
@@ -91,19 +94,53 @@ def ids_of(shape: Any, solution: Solution) -> Selection:
     return Selection(edges=frozenset(edges))
 
 
+def faces_of_plate(plates: Any, element: str) -> tuple[str, ...]:
+    """The faces of the sketch that the plate is made of to which an element of the shape belongs.
+
+    Parameters
+    ----------
+    plates : plate set
+    element : str
+        FreeCAD's name, such as ``Face12``.
+    """
+    wanted = plates.Shape.getElement(element)
+    kind = {"Face": "Faces", "Edge": "Edges", "Vertex": "Vertexes"}[wanted.ShapeType]
+    for solid, plate in zip(plates.Shape.Solids, plates_of(plates), strict=True):
+        if any(part.isSame(wanted) for part in getattr(solid, kind)):
+            return tuple(plate.face_ids)
+    return ()
+
+
+def edges_of_faces(faces: Iterable[str], solution: Solution) -> Selection:
+    """The edges around some faces; of what is mirrored those that it is the image of."""
+    around = {
+        frozenset(pair)
+        for face in faces
+        if face in solution.faces
+        for loop in solution.faces[face].loops
+        for pair in pairwise((*loop, loop[0]))
+    }
+    edges = [e for e, ends in solution.edges.items() if frozenset(ends) in around]
+    return Selection(edges=frozenset(e.split("@")[0] for e in edges))
+
+
 class _Observer:
     """Hears of selections in FreeCAD, which calls these by name."""
 
     def addSelection(self, document: str, name: str, element: str, _: Any) -> None:  # noqa: N802
         """Something was selected."""
         obj = FreeCAD.getDocument(document).getObject(name)
-        if obj is None or not element or not is_lifted_model(obj):
+        if obj is None or not element or not (is_lifted_model(obj) or is_plate_set(obj)):
             return
+        model = obj.LiftedModel if is_plate_set(obj) else obj
         for controller in tabs.open_tabs():
-            if controller.obj is obj.PhotoSketch and controller.lift is not None:
-                shape = obj.Shape.getElement(element)
-                view = controller.tab.view
-                view.select(view.selection.united(ids_of(shape, controller.lift[1])))
+            if model is not None and controller.obj is model.PhotoSketch and controller.lift:
+                solution, view = controller.lift[1], controller.tab.view
+                if obj is model:
+                    meant = ids_of(obj.Shape.getElement(element), solution)
+                else:
+                    meant = edges_of_faces(faces_of_plate(obj, element), solution)
+                view.select(view.selection.united(meant))
 
     def clearSelection(self, document: str) -> None:  # noqa: N802
         """Nothing is selected any more, in a document, or where none is named in any."""

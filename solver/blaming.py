@@ -10,6 +10,7 @@ blame
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Protocol
@@ -114,7 +115,7 @@ def reading_of(graph: SketchGraph, lifted: Candidate) -> Reading:
     idle = full.idle_directions(x)
     turning = int(np.linalg.matrix_rank(idle)) if len(idle) else 0
     # What does not hold counts as a spring that is drawn.
-    misfit = FullProblem(full.problem, None).merit(x, spring_stiffness(full.problem))
+    misfit = full.with_prior(None).merit(x, spring_stiffness(full.problem))
     return Reading(
         misfit=misfit / drawn_diagonal(full.problem) ** 2,
         n_observed=observed,
@@ -126,10 +127,21 @@ def reading_of(graph: SketchGraph, lifted: Candidate) -> Reading:
     )
 
 
+def drawing_rms(lifted: Candidate) -> float:
+    """How far a shape stays from the drawing, RMS in parts of its diagonal (`Reading.rms`)."""
+    full = lifted.full
+    n = 2 * full.n_vertices + full.problem.circles.supports.size
+    misfit = full.with_prior(None).merit(lifted.minimum.x, spring_stiffness(full.problem))
+    return math.sqrt(2 * misfit / max(1, n)) / drawn_diagonal(full.problem)
+
+
 def drawn_diagonal(problem: Problem) -> float:
     """The drawing's diagonal, image units."""
-    drawn = np.vstack([problem.points, problem.circles.centres])
-    return max(float(np.linalg.norm(np.ptp(drawn, axis=0))), 1e-6)
+    drawn = problem.points
+    if len(problem.circles):
+        drawn = np.vstack([drawn, problem.circles.centres])
+    width, height = (drawn.max(axis=0) - drawn.min(axis=0)).tolist()
+    return max(math.hypot(width, height), 1e-6)
 
 
 def is_doubtful(graph: SketchGraph, lifted: Candidate) -> bool:
@@ -150,7 +162,7 @@ def needs_a_closer_look(graph: SketchGraph, lifted: Candidate, *, dragging: bool
     problem = lifted.problem
     small = 3 * (len(problem.points) + len(problem.circles)) <= MANY_UNKNOWNS
     far = SMALL_LOOK_RMS if small and not dragging else CLOSER_LOOK_RMS
-    if reading_of(graph, lifted).rms > far:
+    if drawing_rms(lifted) > far:
         return True
     found = leftover_suspects(graph, lifted.full, lifted.minimum.x)
     return bool(found) and found[0].weight > SUSPICIOUS

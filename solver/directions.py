@@ -32,8 +32,8 @@ from .topology import Chains, Topology, chains
 from .union_find import UnionFind
 from .values import IntArray
 
-#: So few are merged one by one sooner than by a sparse graph.
-FEW_PAIRS = 500
+#: So few pairs and members are merged one by one sooner than by a sparse graph.
+FEW = 700
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -56,7 +56,7 @@ class Directions:
 
 def first_members(pairs: IntArray, n: int) -> IntArray:
     """Merge 0 ... n-1 as the pairs (k, 2) say; the smallest member of everyone's set, (n,)."""
-    if len(pairs) < FEW_PAIRS:
+    if len(pairs) + n < FEW:
         sets = UnionFind(n)
         for i, j in pairs.tolist():
             sets.union(i, j)
@@ -128,6 +128,7 @@ def direction_classes(topology: Topology) -> Directions:
         # Few classes are left: most chains run through the same ones and say the same.
         label = np.array(relations.sets.labels(), dtype=np.int64)
         flat = [c for c in _each_once(label[quadrilaterals]) if _has_parallel_sides(relations, c)]
+        faces = list(dict.fromkeys(tuple(map(relations.sets.find, plane)) for plane in faces))
         for plane in [*_each_once(label[triangles]), *faces, *flat]:
             _close_plane(relations, plane)
         _close_ground(relations, ground)

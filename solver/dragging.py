@@ -116,7 +116,7 @@ def _describe(
     whole, _ = mirrored(graph, Geometry(placed.vertices, graph.edges, graph.faces or {}))
     return replace(
         last,
-        sketch_digest=graph.digest,
+        sketch=graph,
         vertices_mm=whole.vertices,
         circles=placed.circles,
         camera=placed.camera,

@@ -20,7 +20,7 @@ from .errors import SketchError
 from .geometry import cross
 from .graph import Face
 from .nesting import outlines, smallest_around
-from .values import Array, BoolArray, FrozenDict, IntArray, frozen_mapping, kept
+from .values import Array, BoolArray, FrozenDict, IntArray, frozen_mapping, kept, rows_of
 from .walks import Loop, Walk, walk_round, without_dead_ends
 
 #: Vertices within this part of the object's size of a plane lie in it.
@@ -62,8 +62,8 @@ def find_faces(
     corners = _corners(ends)
     if not len(corners):
         return {}
-    X = np.array(list(vertices_mm.values()), dtype=float).reshape(-1, 3)
-    X -= X.mean(axis=0)
+    X = rows_of(vertices_mm)
+    X = X - X.mean(axis=0)
     size = float(np.ptp(X, axis=0).max())
     if not size > 0:
         return {}

@@ -53,12 +53,10 @@ def lifts(problem: Problem, R: Array, g: Array) -> list[Array]:
     g : (m,) array
         The linear lift, in units of the mean depth.
     """
+    if not floats_matter(problem):
+        return [g]
     structure = problem.structure
-    if not problem.blocks or structure.n_coordinates > MAX_SEARCHED:
-        return [g]
     count = n_floats(structure)
-    if count < 2:
-        return [g]
     search = _Search(problem, R, g, _floats(structure, g, count))
     found = sorted((search.descend(t) for t in search.beginnings()), key=lambda f: f[0])
     kept: list[Array] = []
@@ -69,6 +67,14 @@ def lifts(problem: Problem, R: Array, g: Array) -> list[Array]:
         if search.is_ahead(lift) and not any(same_lift(lift, other) for other in kept):
             kept.append(lift)
     return kept[:MAX_LIFTS] or [g]
+
+
+def floats_matter(problem: Problem) -> bool:
+    """Whether parts float whose depths the leftover constraints may tell."""
+    structure = problem.structure
+    if not problem.blocks or structure.n_coordinates > MAX_SEARCHED:
+        return False
+    return n_floats(structure) >= 2
 
 
 def other_depths(problem: Problem, R: Array, g: Array) -> list[Array]:

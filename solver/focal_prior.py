@@ -7,6 +7,8 @@ is trusted as far as its own misfit allows, and no further; an exact drawing is 
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from .full import DRAWING_SIGMA, FocalPrior, FullProblem, Pose
@@ -21,26 +23,32 @@ HIDDEN = 3.0
 LEANING_TOGETHER = 8
 
 
-def usual_prior(full: FullProblem, x: Pose) -> FocalPrior | None:
+def spare_observations(full: FullProblem, x: Pose) -> int:
+    """How many drawn numbers there are beyond the freedoms of a shape."""
+    _, H = full.constraints(x)
+    held = int(np.linalg.matrix_rank(H)) if H.size else 0
+    rows = 2 * full.n_vertices + 5 * len(full.problem.circles)
+    return rows - (4 + full.m - held - len(full.idle_directions(x)) - 1)
+
+
+def usual_prior(full: FullProblem, x: Pose, spare: int | None = None) -> FocalPrior | None:
     """The usual focal length, weighed by the misfit at a minimum; None for an exact drawing.
 
     Parameters
     ----------
     full : FullProblem
-        Without a prior.
     x : Pose
         Its minimum.
+    spare : int, optional
+        Of `spare_observations`, where it is known.
     """
-    _, H = full.constraints(x)
-    held = int(np.linalg.matrix_rank(H)) if H.size else 0
-    rows = 2 * full.n_vertices + 5 * len(full.problem.circles)
-    freedoms = 4 + full.m - held - len(full.idle_directions(x)) - 1
-    variance = full.merit(x, 0.0) / max(1, rows - freedoms)
+    spare = spare_observations(full, x) if spare is None else spare
+    variance = full.misfit(x) / max(1, spare)
     points = full.n_vertices + len(full.problem.circles)
-    error = np.sqrt(HIDDEN * max(1.0, points / LEANING_TOGETHER) * variance)
+    error = math.sqrt(HIDDEN * max(1.0, points / LEANING_TOGETHER) * variance)
     if error < 1e-9:
         return None
-    return FocalPrior(USUAL_LOG_FOCAL, USUAL_SIGMA * DRAWING_SIGMA / float(error))
+    return FocalPrior(USUAL_LOG_FOCAL, USUAL_SIGMA * DRAWING_SIGMA / error)
 
 
 def tighter(a: FocalPrior | None, b: FocalPrior | None) -> FocalPrior | None:

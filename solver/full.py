@@ -6,24 +6,25 @@ it along the axis of view as well, so that its middle keeps its size in the imag
 kappa then is the strength of the perspective alone, on which the projection depends almost
 linearly, down to kappa = 0 for a view from afar.
 
-Each drawn vertex speaks of seven unknowns only: the turn, kappa and its own three coordinates. Its
-part of J^T J is a block of 7 x 7, and the whole is their sum in the right places.
-
 The objective is the distance in the image between the projected and the drawn vertices (the paper's
 projection term |p - p'|^2); leftover constraints are held exactly.
 """
 
 from __future__ import annotations
 
+import copy
+import math
 from dataclasses import dataclass
 
 import numpy as np
 
+from .energies import Linearised
 from .energies.circle import Support, circle_support
 from .geometry import cross, rotation
 from .initial import LOG_FOCAL_RANGE
 from .least_squares import Evaluation, smallest_step
 from .problem import Problem
+from .projection import N_CAMERA, Seen, Vertices
 from .values import Array, IntArray
 
 #: How well a focal length from EXIF is known.
@@ -59,16 +60,6 @@ class FocalPrior:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Seen:
-    """The vertices as the camera of a pose sees them."""
-
-    pose: Pose
-    in_cam: Array
-    projected: Array
-    r: Array
-
-
-@dataclass(frozen=True, slots=True, eq=False)
 class _Rows:
     """Rows of a Jacobian that are zero but for few columns: values (t, w), columns (t, w)."""
 
@@ -87,28 +78,28 @@ class FullProblem:
         self.n_vertices = len(problem.points)
         self.up = problem.up_in_cam
         self.constrained = bool(problem.blocks) or len(problem.diameters) > 0
-        self._camera_columns = np.arange(4)
-        self._columns = self._with_camera(self.coordinate[: self.n_vertices])
-        self._places = self._columns[:, :, None] * (4 + self.m) + self._columns[:, None, :]
-        self._last: _Seen | None = None
+        self._vertices = Vertices(problem)
+        self._axis_of = _axis_of(self.coordinate, self.m)
+        self._has_circles = len(problem.circles) > 0
+        self._none_idle = problem.structure.has_axes and problem.camera is None
+        self._block_places: dict[int, IntArray] = {}
+        self._last: tuple[Pose, Seen] | None = None
+        self._last_normal: tuple[Pose, Array, Array] | None = None
+        self._last_constraints: tuple[Pose, Array, Array] | None = None
 
-    def _with_camera(self, columns: IntArray) -> IntArray:
-        """Columns of the unknowns: omega and kappa, then shared coordinates."""
-        camera = np.broadcast_to(self._camera_columns, (len(columns), 4))
-        return np.hstack([camera, 4 + columns])
+    def with_prior(self, prior: FocalPrior | None) -> FullProblem:
+        """The same with another prior."""
+        other = copy.copy(self)
+        other.prior = prior
+        return other
 
     def evaluate(self, x: Pose) -> Evaluation:
         """The normal equations over (omega, kappa, g), and the constraints."""
-        seen = self._seen(x)
-        M = 4 + self.m
-        B = self._vertex_blocks(seen)
-        turned = np.swapaxes(B, 1, 2)
-        A = _sum_at(self._places, turned @ B, M * M).reshape(M, M)
-        b = _sum_at(self._columns, turned @ seen.r[..., None], M)
-        for rows, r in self._further_rows(x):
-            J = self._dense(rows)
-            A += J.T @ J
-            b += J.T @ r
+        A, b = (kept.copy() for kept in self._of_drawing(x))
+        if self.prior is not None:
+            slope, r = self._prior_slope(x, self.prior), self._prior_residual(x, self.prior)
+            A[3, 3] += slope * slope
+            b[3] += slope * r
         if self.up is not None:
             along = np.outer(self.up, self.up)
             A[:3], b[:3] = along @ A[:3], along @ b[:3]
@@ -116,69 +107,109 @@ class FullProblem:
         if self.problem.camera is not None or self._focal_at_limit(x, float(b[3])):
             A[3], A[:, 3], b[3] = 0.0, 0.0, 0.0
         # The overall size is free: it is held by one coordinate, which keeps the matrix sparse.
-        held = 4 + int(np.argmax(np.abs(x.g)))
+        held = N_CAMERA + int(np.abs(x.g).argmax())
         A[held, held] += 1.0
         idle = self.idle_directions(x)
         if len(idle):
             A += idle.T @ idle
         h, H = self.constraints(x)
-        return Evaluation(A, b, h, H, n_common=4)
+        return Evaluation(A, b, h, H, n_common=N_CAMERA)
+
+    def _of_drawing(self, x: Pose) -> tuple[Array, Array]:
+        """J^T J and J^T r of what is drawn; the last ones are kept, whatever the prior."""
+        if self._last_normal is None or self._last_normal[0] is not x:
+            A, b = self._vertices.normal_equations(self._rows_of_vertices(x))
+            if self._has_circles:
+                rows, r = self._circles(x)
+                J = self._dense(rows)
+                A += J.T @ J
+                b += J.T @ r
+            self._last_normal = (x, A, b)
+        return self._last_normal[1:]
 
     def jacobian(self, x: Pose) -> tuple[Array, Array]:
         """Residuals and their derivatives over (omega, kappa, g), where nothing is held."""
-        seen = self._seen(x)
-        columns = np.repeat(self._columns, 2, axis=0)
-        vertices = _Rows(self._vertex_blocks(seen).reshape(-1, 7), columns)
-        parts = [(vertices, seen.r.reshape(-1)), *self._further_rows(x)]
-        J = np.vstack([self._dense(rows) for rows, _ in parts])
-        return np.concatenate([r for _, r in parts]), J
+        rows = self._rows_of_vertices(x)
+        residuals, parts = [rows[0]], [self._vertices.dense(rows)]
+        if self.prior is not None:
+            row = np.zeros((1, N_CAMERA + self.m))
+            row[0, 3] = self._prior_slope(x, self.prior)
+            residuals.append(np.array([self._prior_residual(x, self.prior)]))
+            parts.append(row)
+        if self._has_circles:
+            of_circles, r = self._circles(x)
+            residuals.append(r)
+            parts.append(self._dense(of_circles))
+        return np.concatenate(residuals), np.vstack(parts)
+
+    def _rows_of_vertices(self, x: Pose) -> Array:
+        return self._vertices.rows(self._seen(x), x.R, x.log_focal, self._middle(x))
 
     def _dense(self, rows: _Rows) -> Array:
-        J = np.zeros((len(rows.values), 4 + self.m))
+        J = np.zeros((len(rows.values), N_CAMERA + self.m))
         J[np.arange(len(J))[:, None], rows.columns] = rows.values
         return J
 
-    def merit(self, x: Pose, rho: float) -> float:
-        """|r|^2 + rho |h|^2."""
-        seen = self._seen(x).r.reshape(-1)
-        total = float(seen @ seen)
-        if self.prior is not None:
-            total += self._prior_residual(x, self.prior) ** 2
-        if len(self.problem.circles):
+    def misfit(self, x: Pose) -> float:
+        """|r|^2 of the drawing alone."""
+        r = self._seen(x).r
+        total = float(r @ r)
+        if self._has_circles:
             r = self._circle_residual(self._supports(x))
             total += float(r @ r)
-        if rho > 0:
-            for block in self.problem.blocks:
-                h = block.evaluate(x.g[self.coordinate]).residual
-                total += rho * float(h @ h)
-            if len(self.problem.diameters):
-                h, _ = self.problem.diameters.evaluate(x.g, self.coordinate)
-                total += rho * float(h @ h)
+        return total
+
+    @property
+    def n_residuals(self) -> int:
+        """Length of r."""
+        return 2 * self.n_vertices + (self.prior is not None) + self.problem.circles.supports.size
+
+    def merit(self, x: Pose, rho: float) -> float:
+        """|r|^2 + rho |h|^2, the prior among r."""
+        total = self.misfit(x)
+        if self.prior is not None:
+            total += self._prior_residual(x, self.prior) ** 2
+        if rho > 0 and self.constrained:
+            h, _ = self.constraints(x)
+            total += rho * float(h @ h)
         return total
 
     def retract(self, x: Pose, step: Array) -> Pose | None:
         """Turn the camera, scale the focal length, move the coordinates."""
-        if float(np.abs(step[:3]).max()) > 1.0:
+        turn = step[:3]
+        if float(np.abs(turn).max()) > 1.0:
             return None
-        turn = step[:3] if self.up is None else (step[:3] @ self.up) * self.up
-        old, (low, high) = np.exp(-x.log_focal), np.exp(np.negative(LOG_FOCAL_RANGE[::-1]))
+        if self.up is not None:
+            turn = (turn @ self.up) * self.up
+        old = math.exp(-x.log_focal)
+        low, high = (math.exp(-limit) for limit in reversed(LOG_FOCAL_RANGE))
         kappa = min(max(old + min(max(float(step[3]), -0.4 * old), old), low), high)
         R = rotation(turn) @ x.R
         middle = self._middle(x)
-        moved_middle = middle * np.array([1.0, 1.0, old / kappa])
-        g = x.g + step[4:] + self._shift(R.T @ moved_middle - x.R.T @ middle)
-        size = float(np.linalg.norm(g))
+        away = middle.copy()
+        away[2] *= old / kappa
+        # The last one is for radii, which stay as the shape moves.
+        shift = np.zeros(4)
+        shift[:3] = away @ R - middle @ x.R
+        g = x.g + step[N_CAMERA:] + shift[self._axis_of]
+        size = math.sqrt(float(g @ g))
         if not 1e-12 < size < 1e12:
             return None
         # The overall size is free; keeping it stops drift.
-        g = g * (float(np.linalg.norm(x.g)) / size)
-        moved = Pose(R, -float(np.log(kappa)), g)
-        if len(self.problem.circles) and not self._circles_visible(moved):
+        g = g * (math.sqrt(float(x.g @ x.g)) / size)
+        moved = Pose(R, -math.log(kappa), g)
+        if self._has_circles and not self._circles_visible(moved):
             return None
-        depth = moved.g[self.coordinate] @ moved.R[2]
+        depth = self._depths(moved)
         if len(depth) and float(depth.min()) <= 1e-4 * float(np.abs(depth).mean()):
             return None
         return moved
+
+    def _depths(self, x: Pose) -> Array:
+        """Of vertices and circles' centres."""
+        if not self._has_circles:
+            return np.asarray(self._seen(x).in_cam[2])
+        return np.asarray(self.positions(x) @ x.R[2])
 
     def _circles_visible(self, x: Pose) -> bool:
         return self._supports(x).visible and bool((x.g[self.problem.structure.radius] > 0).all())
@@ -189,6 +220,8 @@ class FullProblem:
         Without object axes the frame is idle: about the vertical where circles show it, else
         wholly. A known camera turns about the upward direction only, and keeps its focal length.
         """
+        if self._none_idle:
+            return np.zeros((0, N_CAMERA + self.m))
         structure = self.problem.structure
         turns = np.zeros((0, 3))
         if not structure.has_axes:
@@ -206,14 +239,16 @@ class FullProblem:
         """Vertices, then circles' centres, in object axes, (n + k, 3)."""
         return np.asarray(x.g[self.coordinate])
 
-    def _seen(self, x: Pose) -> _Seen:
-        """The view of a pose; the last one is kept, for it is asked for twice."""
-        if self._last is None or self._last.pose is not x:
-            in_cam = self.positions(x)[: self.n_vertices] @ x.R.T
-            projected = np.exp(x.log_focal) * in_cam[:, :2] / in_cam[:, 2:]
-            r = (projected - self.problem.points) * self.problem.weights[:, None]
-            self._last = _Seen(x, in_cam, projected, r)
-        return self._last
+    def shape(self, x: Pose) -> Array:
+        """Vertices and circles' centres in the camera frame, of unit size: a reading's likeness."""
+        in_cam = self.positions(x) @ x.R.T
+        return np.asarray(in_cam / max(math.sqrt(float(np.vdot(in_cam, in_cam))), 1e-300))
+
+    def _seen(self, x: Pose) -> Seen:
+        """The view of a pose; the last one is kept, for it is asked for again."""
+        if self._last is None or self._last[0] is not x:
+            self._last = (x, self._vertices.seen(x.R, x.log_focal, x.g))
+        return self._last[1]
 
     def _supports(self, x: Pose) -> Support:
         centres = self.positions(x)[self.n_vertices :] @ x.R.T
@@ -230,37 +265,13 @@ class FullProblem:
     def _prior_residual(self, x: Pose, prior: FocalPrior) -> float:
         return DRAWING_SIGMA * (x.log_focal - prior.log_focal) / prior.sigma
 
-    def _vertex_blocks(self, seen: _Seen) -> Array:
-        """Derivatives of r by (omega, kappa, x, y, z) of each vertex, (n, 2, 7)."""
-        x, in_cam, projected = seen.pose, seen.in_cam, seen.projected
-        f = float(np.exp(x.log_focal))
-        weights = self.problem.weights[:, None]
-        # d(u, v) / d x_cam
-        D = np.zeros((len(in_cam), 2, 3))
-        inverse_depth = 1 / in_cam[:, 2]
-        D[:, 0, 0] = D[:, 1, 1] = f * inverse_depth
-        D[:, :, 2] = -projected * inverse_depth[:, None]
-        D *= weights[..., None]
-        B = np.empty((len(in_cam), 2, 7))
-        # d x_cam / d omega = -[x_cam - middle]x, so that a row d becomes (x_cam - middle) x d.
-        middle = self._middle(x)
-        B[:, :, :3] = cross((in_cam - middle)[:, None, :], D)
-        # d f / d kappa = -f^2, and the middle depth goes with f.
-        B[:, :, 3] = -f * (projected * weights + middle[2] * D[:, :, 2])
-        B[:, :, 4:] = D @ x.R
-        return B
+    def _prior_slope(self, x: Pose, prior: FocalPrior) -> float:
+        """The derivative of its residual by kappa."""
+        return -math.exp(x.log_focal) * DRAWING_SIGMA / prior.sigma
 
-    def _further_rows(self, x: Pose) -> list[tuple[_Rows, Array]]:
-        """What is not of vertices: the focal length's prior, and circles."""
-        found = []
-        if self.prior is not None:
-            slope = -float(np.exp(x.log_focal)) * DRAWING_SIGMA / self.prior.sigma
-            row = _Rows(np.array([[slope]]), np.array([[3]]))
-            found.append((row, np.array([self._prior_residual(x, self.prior)])))
-        if len(self.problem.circles):
-            support = self._supports(x)
-            found.append((self._circle_rows(x, support), self._circle_residual(support)))
-        return found
+    def _circles(self, x: Pose) -> tuple[_Rows, Array]:
+        support = self._supports(x)
+        return self._circle_rows(x, support), self._circle_residual(support)
 
     def _circle_rows(self, x: Pose, support: Support) -> _Rows:
         structure = self.problem.structure
@@ -276,7 +287,8 @@ class FullProblem:
         B[..., 7] = support.by_radius
         B *= self.problem.circles.weights[:, None, None]
         own = np.column_stack([self.coordinate[self.n_vertices :], structure.radius])
-        columns = np.repeat(self._with_camera(own), support.h.shape[1], axis=0)
+        camera = np.broadcast_to(np.arange(N_CAMERA), (len(own), N_CAMERA))
+        columns = np.repeat(np.hstack([camera, N_CAMERA + own]), support.h.shape[1], axis=0)
         return _Rows(B.reshape(-1, 8), columns)
 
     def _focal_at_limit(self, x: Pose, slope: float) -> bool:
@@ -289,32 +301,43 @@ class FullProblem:
 
     def _middle(self, x: Pose) -> Array:
         """The shape's middle in the camera frame."""
-        return np.asarray(x.R @ self.positions(x).mean(axis=0))
-
-    def _shift(self, vector: Array) -> Array:
-        """The shared coordinates' change when the whole shape moves by a vector in object axes."""
-        change = np.zeros(self.m)
-        for k in range(3):
-            change[self.coordinate[:, k]] = vector[k]
-        return change
+        if self._has_circles:
+            return np.asarray(x.R @ self.positions(x).mean(axis=0))
+        return np.asarray(self._seen(x).in_cam.sum(axis=1) / self.n_vertices)
 
     def constraints(self, x: Pose) -> tuple[Array, Array]:
         """Leftover constraints h and their derivatives H over (omega, kappa, g)."""
+        if not self.constrained:
+            return np.zeros(0), np.zeros((0, N_CAMERA + self.m))
+        if self._last_constraints is None or self._last_constraints[0] is not x:
+            self._last_constraints = (x, *self._constraints(x))
+        return self._last_constraints[1:]
+
+    def _constraints(self, x: Pose) -> tuple[Array, Array]:
         positions = self.positions(x)
-        residuals, jacobians = [np.zeros(0)], [np.zeros((0, 4 + self.m))]
-        for block in self.problem.blocks:
+        residuals, jacobians = [], []
+        M = N_CAMERA + self.m
+        for k, block in enumerate(self.problem.blocks):
             at = block.evaluate(positions)
-            H = np.zeros((len(at.residual), 4 + self.m))
-            for k in range(3):
-                columns = 4 + self.coordinate[at.vertex, k]
-                np.add.at(H, (at.row, columns), at.value[:, k])
+            size = len(at.residual)
+            summed = np.bincount(self._places_of(k, at), at.value.ravel(), size * M)
             residuals.append(at.residual)
-            jacobians.append(H)
+            jacobians.append(summed.astype(np.float64, copy=False).reshape(size, M))
         if len(self.problem.diameters):
             h, by_g = self.problem.diameters.evaluate(x.g, self.coordinate)
             residuals.append(h)
-            jacobians.append(np.hstack([np.zeros((len(h), 4)), by_g]))
+            jacobians.append(np.hstack([np.zeros((len(h), N_CAMERA)), by_g]))
+        if len(residuals) == 1:
+            return residuals[0], jacobians[0]
         return np.concatenate(residuals), np.vstack(jacobians)
+
+    def _places_of(self, block: int, at: Linearised) -> IntArray:
+        """Where a block's derivatives belong in its rows of H: the same for all positions."""
+        if block not in self._block_places:
+            columns = N_CAMERA + self.coordinate[at.vertex]
+            places = at.row[:, None] * (N_CAMERA + self.m) + columns
+            self._block_places[block] = places.ravel()
+        return self._block_places[block]
 
     def restore(self, x: Pose) -> Pose:
         """Move the coordinates onto h = 0: dg = -H^T (H H^T)^+ h."""
@@ -325,7 +348,7 @@ class FullProblem:
         for _ in range(8):
             if worst < 1e-15:
                 break
-            dg = smallest_step(h, H[:, 4:])
+            dg = smallest_step(h, H[:, N_CAMERA:])
             moved = Pose(x.R, x.log_focal, x.g + dg)
             h, H = self.constraints(moved)
             after = float(np.abs(h).max(initial=0.0))
@@ -335,6 +358,8 @@ class FullProblem:
         return x
 
 
-def _sum_at(places: IntArray, values: Array, size: int) -> Array:
-    """Values summed at their places, (size,)."""
-    return np.asarray(np.bincount(places.ravel(), values.ravel(), size), dtype=np.float64)
+def _axis_of(coordinate: IntArray, n_coordinates: int) -> IntArray:
+    """The axis along which each shared coordinate runs, 3 for radii, (m,)."""
+    axis_of = np.full(n_coordinates, 3)
+    axis_of[coordinate] = np.arange(3)
+    return axis_of

@@ -16,13 +16,14 @@ import hashlib
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from itertools import chain
 from typing import Any
 
 import numpy as np
 
 from .annotations import Annotation, annotation_to_json, annotation_values
 from .camera import Camera
-from .values import frozen_mapping, kept
+from .values import Array, IntArray, frozen_array, frozen_mapping, kept
 
 FORMAT = "incontext/sketch"
 VERSION = 1
@@ -131,10 +132,10 @@ class SketchGraph:
             self.construction,
             self.camera,
         )
-        names = sorted(self.vertices)
-        places = np.array([self.vertices[v] for v in names], dtype="<f8")
+        names, order = _sorted_names(tuple(self.vertices))
+        places = self.positions_px[order].astype("<f8")
         said = hashlib.sha256(rest.encode())
-        said.update(json.dumps(names).encode())
+        said.update(names)
         said.update(places.tobytes())
         return said.hexdigest()
 
@@ -149,6 +150,11 @@ class SketchGraph:
         """The other surfaces of revolution, which are part of the new object."""
         traced = self.traced_revolutions
         return {id_: r for id_, r in self.revolutions.items() if id_ not in traced}
+
+    @property
+    def positions_px(self) -> Array:
+        """Where the vertices are drawn, in their order, (n, 2); read-only."""
+        return _positions_px(self.vertices)
 
     def annotations_of(self, kind: str) -> dict[str, Annotation]:
         """The annotations of one kind, by id."""
@@ -208,6 +214,19 @@ class SketchGraph:
         body["construction"] = list(self.construction)
         body["camera"] = None if self.camera is None else self.camera.to_json()
         return body
+
+
+@kept
+def _positions_px(vertices: Mapping[str, Point]) -> Array:
+    numbers = np.fromiter(chain.from_iterable(vertices.values()), float, 2 * len(vertices))
+    return frozen_array(numbers, (-1, 2))
+
+
+@kept
+def _sorted_names(names: tuple[str, ...]) -> tuple[bytes, IntArray]:
+    """The sorted names as a text, and which comes first."""
+    order = sorted(range(len(names)), key=names.__getitem__)
+    return json.dumps([names[i] for i in order]).encode(), np.array(order, dtype=np.int64)
 
 
 @kept

@@ -6,15 +6,13 @@ least-squares problem; the role is the paper's: an approximate shape to start th
 
 Terms
 -----
-line
-    (x, y, 1) x (x', y', 1) of a drawn edge's ends, image units; the plane through the eye and the
-    edge has the normal N = (f l0, f l1, l2) in the camera frame.
 Necker twin
     The other reading of a drawing, seen from below instead of above.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
@@ -23,9 +21,10 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from .circles import tilted_views
+from .drawn_lines import Agreement, DrawnLines, Pencils, drawn_lines, gathered, turns
 from .geometry import cross
 from .problem import Problem
-from .values import Array, BoolArray, IntArray
+from .values import Array, BoolArray
 
 #: Focal lengths beyond these, in image units, are no camera a person holds.
 LOG_FOCAL_RANGE = (float(np.log(0.4)), float(np.log(40.0)))
@@ -35,6 +34,12 @@ GOOD_MISFIT = 0.02
 MANY_LINES = 30
 #: Iterations on the lines alone; the full step goes on from there.
 REFINEMENTS = 12
+#: A gain of so little, in parts of the misfit, is none: the full step goes on from here.
+SETTLED = 1e-5
+#: Lines meet a camera exactly within this angle (rad, RMS).
+EXACT_MISFIT = 1e-7
+#: So few lines may meet some camera exactly by chance.
+ENOUGH_LINES = 6
 #: What most cameras have: about 12 to 110 mm equivalent.
 LIKELY_LOG_FOCAL = (float(np.log(0.7)), float(np.log(6.0)))
 #: Log focal lengths to begin with: wide, usual, tele.
@@ -52,16 +57,57 @@ class Start:
     misfit: float
 
 
+def views(problem: Problem) -> Iterator[Start]:
+    """As `starts`; where one camera meets the drawn lines exactly, the others are worked out only
+    if they are asked for."""
+    if not problem.structure.has_axes:
+        yield from starts(problem)
+        return
+    drawn, pencils = _lines_and_pencils(problem)
+    exact = _exact_start(problem, drawn, pencils)
+    if exact is not None:
+        yield exact
+    yield from _upright_ones(problem, _from_lines(problem, drawn, pencils))
+
+
 def starts(problem: Problem) -> list[Start]:
     """Cameras that agree with the drawn directions, best first, Necker twins included.
 
     Where the camera is known, they agree with its upward direction as well.
     """
-    found = _starts(problem)
+    if problem.structure.has_axes:
+        return _upright_ones(problem, _from_lines(problem, *_lines_and_pencils(problem)))
+    fixed = problem.log_focal_prior
+    tilted = tilted_views(problem.circles) if len(problem.circles) else [np.eye(3)]
+    focals = FOCAL_GUESSES if fixed is None else (fixed,)
+    return _upright_ones(problem, [Start(R, f, 0.0) for R in tilted for f in focals])
+
+
+def _lines_and_pencils(problem: Problem) -> tuple[DrawnLines, Pencils]:
+    drawn, fixed = drawn_lines(problem), problem.log_focal_prior
+    return drawn, gathered(drawn, drawn.lengths(), USUAL_LOG_FOCAL if fixed is None else fixed)
+
+
+def _upright_ones(problem: Problem, found: list[Start]) -> list[Start]:
     up, vertical = problem.up_in_cam, problem.structure.vertical
     if up is None or vertical is None:
         return found
     return _distinct([replace(s, R=_upright(s.R, vertical, up)) for s in found])
+
+
+def _exact_start(problem: Problem, drawn: DrawnLines, pencils: Pencils) -> Start | None:
+    """The camera that the vanishing points tell, where it meets all lines to the last digits."""
+    enough = len(drawn) >= max(ENOUGH_LINES, len(pencils.directions) + 3)
+    if not enough or problem.camera is not None:
+        return None
+    told = _from_vanishing_points(pencils, problem.log_focal_prior)
+    if not told:
+        return None
+    R, log_focal = told[0]
+    misfit = float(Agreement(pencils).costs(R[None], log_focal)[0])
+    if misfit > EXACT_MISFIT**2 * pencils.total:
+        return None
+    return Start(R, log_focal, misfit)
 
 
 def _upright(R: Array, vertical: int, up: Array) -> Array:
@@ -77,35 +123,27 @@ def _upright(R: Array, vertical: int, up: Array) -> Array:
     return np.asarray(Rotation.from_rotvec(axis * (angle / max(sine, 1e-300))).as_matrix() @ R)
 
 
-def _starts(problem: Problem) -> list[Start]:
-    axis = problem.structure.edge_axis
-    along = axis >= 0
+def _from_lines(problem: Problem, drawn: DrawnLines, pencils: Pencils) -> list[Start]:
     fixed = problem.log_focal_prior
-    if not problem.structure.has_axes:
-        tilted = tilted_views(problem.circles) if len(problem.circles) else [np.eye(3)]
-        focals = FOCAL_GUESSES if fixed is None else (fixed,)
-        return [Start(R, f, 0.0) for R in tilted for f in focals]
-    drawn, lengths = _lines(problem, along)
-    ref = USUAL_LOG_FOCAL if fixed is None else fixed
-    lines, weights, axes = _gathered(drawn, lengths, axis[along], ref)
-    if fixed is None and len(set(axes.tolist())) < 3:
+    if fixed is None and len(pencils.directions) < 3:
         # Two directions tell little of the focal length: the full step finds it, from several.
-        views = [_views_at(lines, weights, axes, float(f))[:2] for f in FOCAL_GUESSES]
-        return [start for pair in zip(*views, strict=False) for start in pair]
-    candidates = _from_mean_directions(problem)
-    found = _refine_all(lines, weights, axes, candidates, fixed)
-    total = float(np.sum(weights**2))
-    if not found or found[0].misfit > GOOD_MISFIT**2 * total:
-        candidates += _grid(lines, weights, axes, fixed)
-        found = _refine_all(lines, weights, axes, candidates, fixed)
-    if len(lengths) > MANY_LINES and found[0].misfit > 1e-12 * total:
-        fair = _fair_weights(problem, along, drawn, found[0])
-        lines, weights, axes = _gathered(drawn, fair, axis[along], found[0].log_focal)
+        told = _from_vanishing_points(pencils, None)
+        likely = [f for _, f in told if _likely(f)]
+        at_each = _views_at(pencils, (*likely, *FOCAL_GUESSES))
+        return [start for pair in zip(*at_each, strict=False) for start in pair]
+    candidates = _from_vanishing_points(pencils, fixed) + _from_mean_directions(problem)
+    found = _refine_all(pencils, candidates, fixed)
+    if not found or found[0].misfit > GOOD_MISFIT**2 * pencils.total:
+        candidates += _grid(pencils, fixed)
+        found = _refine_all(pencils, candidates, fixed)
+    if len(drawn) > MANY_LINES and found[0].misfit > EXACT_MISFIT**2 * pencils.total:
+        fair = drawn.fair_weights(found[0].R, found[0].log_focal)
+        pencils = gathered(drawn, fair, found[0].log_focal)
         candidates = [(start.R, start.log_focal) for start in found]
-        found = _refine_all(lines, weights, axes, candidates, fixed)
+        found = _refine_all(pencils, candidates, fixed)
     if fixed is None and not _likely(found[0].log_focal):
         # Careless lines say "from afar" too easily: begin from usual focal lengths as well.
-        usual = [_refine_all(lines, weights, axes, candidates, f)[:2] for f in FOCAL_GUESSES[::2]]
+        usual = [_refine_all(pencils, candidates, f)[:2] for f in FOCAL_GUESSES[::2]]
         found = [start for group in [*usual, found[:2]] for start in group]
     return found
 
@@ -114,24 +152,21 @@ def _likely(log_focal: float) -> bool:
     return LIKELY_LOG_FOCAL[0] < log_focal < LIKELY_LOG_FOCAL[1]
 
 
-def _views_at(lines: Array, weights: Array, axes: IntArray, log_focal: float) -> list[Start]:
-    """Views for one focal length."""
-    grid = _grid(lines, weights, axes, log_focal)
-    return _refine_all(lines, weights, axes, grid, log_focal)
+def _views_at(pencils: Pencils, log_focals: tuple[float, ...]) -> list[list[Start]]:
+    """The two best views for each of some focal lengths."""
+    grids = [_grid(pencils, f) for f in log_focals]
+    found = iter(_refine(pencils, [view for grid in grids for view in grid], True))
+    return [_distinct([next(found) for _ in grid])[:2] for grid in grids]
 
 
 def _refine_all(
-    lines: Array,
-    weights: Array,
-    axes: IntArray,
-    candidates: list[tuple[Array, float]],
-    fixed: float | None,
+    pencils: Pencils, candidates: list[tuple[Array, float]], fixed: float | None
 ) -> list[Start]:
     if not candidates:
         return []
-    views = np.array([R for R, _ in candidates])
-    log_focals = np.array([f if fixed is None else fixed for _, f in candidates])
-    return _distinct(_refine(_Lines(lines, weights, axes), views, log_focals, fixed is not None))
+    if fixed is not None:
+        candidates = [(R, fixed) for R, _ in candidates]
+    return _distinct(_refine(pencils, candidates, fixed is not None))
 
 
 def _distinct(found: list[Start]) -> list[Start]:
@@ -143,113 +178,43 @@ def _distinct(found: list[Start]) -> list[Start]:
     return kept
 
 
-def _lines(problem: Problem, chosen: NDArray[np.bool_]) -> tuple[Array, Array]:
-    """Homogeneous lines (k, 3), and weights (k,): drawn lengths, times how exact the ends are."""
-    ends = problem.ends[chosen]
-    p, q = problem.points[ends[:, 0]], problem.points[ends[:, 1]]
-    ones = np.ones((len(p), 1))
-    lines = cross(np.hstack([p, ones]), np.hstack([q, ones]))
-    return lines, np.linalg.norm(q - p, axis=1) * problem.weights[ends].min(axis=1)
-
-
-def _fair_weights(problem: Problem, chosen: BoolArray, lines: Array, start: Start) -> Array:
-    """Weights by which the residuals are distances of drawn ends from lines to vanishing points.
-
-    Angles alone favour wide lenses where many short lines are drawn carelessly: the first-order
-    distance does not.
-    """
-    ends = problem.ends[chosen]
-    f = np.exp(start.log_focal)
-    K = np.array([f, f, 1.0])
-    vanishing = (K * start.R[:, problem.structure.edge_axis[chosen]].T)[:, None, :]
-    slope = vanishing[..., :2] - problem.points[ends] * vanishing[..., 2:]
-    per_px = np.sqrt((slope**2).sum(axis=(1, 2)))
-    return np.asarray(np.sqrt(2) * np.linalg.norm(lines * K, axis=1) / np.maximum(per_px, 1e-300))
-
-
-def _gathered(
-    lines: Array, weights: Array, axes: IntArray, log_focal: float
-) -> tuple[Array, Array, IntArray]:
-    """Three lines for all those along one axis, with the same sum of squares for every direction.
-
-    Each line counts by its angle, as a camera of this focal length sees it.
-    """
-    f = np.exp(log_focal)
-    K = np.array([f, f, 1.0])
-    normals = lines * K
-    size = np.sqrt(np.einsum("mi,mi->m", normals, normals))
-    normals = normals * (weights / np.maximum(size, 1e-300))[:, None]
-    found: list[tuple[Array, Array, int]] = []
-    for k in sorted(set(axes.tolist())):
-        own = normals[axes == k]
-        squares, directions = np.linalg.eigh(own.T @ own)
-        found.append((directions.T / K, np.sqrt(np.maximum(squares, 0.0)), k))
-    return (
-        np.vstack([own for own, _, _ in found]),
-        np.concatenate([w for _, w, _ in found]),
-        np.repeat(np.array([k for _, _, k in found], dtype=np.int64), 3),
-    )
-
-
-def _normals(lines: Array, log_focals: Array) -> tuple[Array, Array]:
-    """Unit normals (k, m, 3) of the planes through the eye, and derivatives by log focal length."""
-    f = np.exp(log_focals)[:, None, None]
-    N = lines * np.concatenate([f, f, np.ones_like(f)], axis=2)
-    dN = lines * np.concatenate([f, f, np.zeros_like(f)], axis=2)
-    length = np.maximum(np.sqrt(np.einsum("kmi,kmi->km", N, N)), 1e-300)[..., None]
-    N, dN = N / length, dN / length
-    return N, dN - N * np.einsum("kmi,kmi->km", N, dN)[..., None]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Lines:
-    """Lines (m, 3), their weights (m,) and the axis (m,) along which each runs."""
-
-    lines: Array
-    weights: Array
-    axes: IntArray
-
-    def residuals(self, R: Array, log_focals: Array) -> Array:
-        """w_e N_e . D_e for k cameras, (k, m)."""
-        N, _ = _normals(self.lines, log_focals)
-        return np.asarray(self.weights * np.einsum("kmi,kim->km", N, R[:, :, self.axes]))
-
-    def linearised(self, R: Array, log_focals: Array) -> tuple[Array, Array]:
-        """Residuals (k, m), and derivatives (k, m, 4) by a turn and by the log focal length."""
-        N, dN = _normals(self.lines, log_focals)
-        D = np.swapaxes(R[:, :, self.axes], 1, 2)
-        r = self.weights * np.einsum("kmi,kmi->km", N, D)
-        by_focal = np.einsum("kmi,kmi->km", dN, D)[..., None]
-        J = np.concatenate([cross(D, N), by_focal], axis=2)
-        return r, J * self.weights[:, None]
-
-
-def _refine(drawn: _Lines, R: Array, log_focals: Array, focal_known: bool) -> list[Start]:
+def _refine(
+    pencils: Pencils,
+    candidates: list[tuple[Array, float]],
+    focal_known: bool,
+) -> list[Start]:
     """Levenberg-Marquardt on r_e = w_e N_e . D_e for all cameras at once."""
+    R = np.array([view for view, _ in candidates])
+    log_focals = np.array([f for _, f in candidates])
+    drawn = Agreement(pencils)
+    identity, (low, high) = np.eye(4), LOG_FOCAL_RANGE
     damping = np.full(len(R), 1e-3)
-    cost = (drawn.residuals(R, log_focals) ** 2).sum(axis=1)
+    r, J = drawn.linearised(R, log_focals)
+    cost = np.einsum("km,km->k", r, r)
     for iteration in range(REFINEMENTS):
-        r, J = drawn.linearised(R, log_focals)
         if focal_known:
             J[..., 3] = 0.0
-        A = np.einsum("kmi,kmj->kij", J, J)
+        turned = np.swapaxes(J, 1, 2)
+        A = turned @ J
         diagonal = np.einsum("kii->ki", A)
-        A = A + (damping[:, None] * (diagonal + 1e-9))[..., None] * np.eye(4)
+        A = A + (damping[:, None] * (diagonal + 1e-9))[..., None] * identity
         A[:, 3, 3] += float(focal_known)
-        step = -np.linalg.solve(A, np.einsum("kmi,km->ki", J, r)[..., None])[..., 0]
-        new_R = Rotation.from_rotvec(step[:, :3]).as_matrix() @ R
-        new_log = np.clip(log_focals + np.clip(step[:, 3], -0.7, 0.7), *LOG_FOCAL_RANGE)
-        new_cost = (drawn.residuals(new_R, new_log) ** 2).sum(axis=1)
+        step = -np.linalg.solve(A, turned @ r[..., None])[..., 0]
+        new_R = R @ turns(step[:, :3])
+        change = np.minimum(np.maximum(step[:, 3], -0.7), 0.7)
+        new_log = np.minimum(np.maximum(log_focals + change, low), high)
+        new_r, new_J = drawn.linearised(new_R, new_log)
+        new_cost = np.einsum("km,km->k", new_r, new_r)
         better = new_cost <= cost
-        settled = ~better | (cost - new_cost <= 1e-10 * cost + 1e-30)
+        settled = ~better | (cost - new_cost <= SETTLED * cost + 1e-30)
         settled &= better | (damping > 1.0)
         R = np.where(better[:, None, None], new_R, R)
         log_focals = np.where(better, new_log, log_focals)
+        r, J = np.where(better[:, None], new_r, r), np.where(better[:, None, None], new_J, J)
         cost = np.where(better, new_cost, cost)
         damping = np.where(better, np.maximum(damping / 10, 1e-12), damping * 10)
         # The full step goes on from here: enough when the best view stands still.
-        best = int(np.argmin(cost))
-        if bool(settled.all()) or (iteration >= 5 and bool(settled[best])):
+        if bool(settled.all()) or (iteration >= 3 and bool(settled[int(cost.argmin())])):
             break
     return [Start(*found) for found in zip(R, log_focals.tolist(), cost.tolist(), strict=True)]
 
@@ -290,6 +255,35 @@ def _from_mean_directions(problem: Problem) -> list[tuple[Array, float]]:
     return found
 
 
+def _from_vanishing_points(pencils: Pencils, fixed: float | None) -> list[tuple[Array, float]]:
+    """Axes towards the vanishing points, which tell the focal length by being perpendicular.
+
+    With q = (f0 / f)^2, f0 the pencils' focal length, q (x_i x_j + y_i y_j) + z_i z_j = 0 for each
+    two of them.
+    """
+    D = pencils.directions
+    if not pencils.sure or len(D) < 2:
+        return []
+    pairs = [(i, j) for j in range(len(D)) for i in range(j)]
+    level = np.array([D[i, :2] @ D[j, :2] for i, j in pairs])
+    deep = np.array([D[i, 2] * D[j, 2] for i, j in pairs])
+    q = 1.0
+    if fixed is None:
+        q = -float(level @ deep) / max(float(level @ level), 1e-300)
+        if not q > 0:
+            return []
+    log_focal = pencils.log_focal - float(np.log(q)) / 2
+    if not LOG_FOCAL_RANGE[0] < log_focal < LOG_FOCAL_RANGE[1]:
+        return []
+    axes = np.zeros((3, 3))
+    axes[:, pencils.axes[::3]] = (D * np.array([np.sqrt(q), np.sqrt(q), 1.0])).T
+    if len(D) == 2:
+        missing = 3 - int(pencils.axes[0]) - int(pencils.axes[3])
+        axes[:, missing] = cross(axes[:, (missing + 1) % 3], axes[:, (missing + 2) % 3])
+    axes /= np.maximum(np.sqrt((axes**2).sum(axis=0)), 1e-300)
+    return [(_nearest_rotation(axes), log_focal)]
+
+
 def _nearest_rotation(D: Array) -> Array:
     U, _, Vt = np.linalg.svd(D)
     R: Array = U @ Vt
@@ -299,16 +293,13 @@ def _nearest_rotation(D: Array) -> Array:
     return R
 
 
-def _grid(
-    lines: Array, weights: Array, axes: IntArray, fixed: float | None
-) -> list[tuple[Array, float]]:
+def _grid(pencils: Pencils, fixed: float | None) -> list[tuple[Array, float]]:
     """The best few of a fixed set of views, for drawings that the formula does not read."""
     focals = FOCAL_GUESSES if fixed is None else (fixed,)
     scored = []
-    drawn = _Lines(lines, weights, axes)
+    drawn = Agreement(pencils)
     for log_focal in focals:
-        r = drawn.residuals(VIEWS, np.array([log_focal]))
-        cost = (r**2).sum(axis=1)
+        cost = drawn.costs(VIEWS, log_focal)
         for i in _apart(np.argsort(cost)[:40]):
             scored.append((float(cost[i]), i, float(log_focal)))
     scored.sort()

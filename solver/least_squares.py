@@ -20,6 +20,7 @@ from dataclasses import dataclass, replace
 from typing import Generic, Protocol, TypeVar
 
 import numpy as np
+from scipy.linalg.lapack import dposv
 from scipy.sparse import bmat, csc_array, identity
 from scipy.sparse.linalg import splu
 
@@ -100,6 +101,7 @@ def minimise(
     near: bool = False,
     damping: float = FIRST_DAMPING,
     stop: Callable[[], bool] | None = None,
+    been: Callable[[X], bool] | None = None,
 ) -> Minimum[X]:
     """Minimise from x.
 
@@ -117,6 +119,8 @@ def minimise(
         Of the first step.
     stop : callable, optional
         Asked between iterations; True ends the work.
+    been : callable, optional
+        Whether the way from a point is known already; it then ends there, at infinite cost.
 
     Returns
     -------
@@ -125,7 +129,7 @@ def minimise(
     # Wild points overflow on the way; each step is judged by a finite merit.
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
         phase = _Phase(LAST_PENALTY, max_iterations, enough, True, damping)
-        return _minimise(objective, x, () if near else PENALTIES, phase, stop)
+        return _minimise(objective, x, () if near else PENALTIES, phase, stop, been)
 
 
 def _minimise(
@@ -134,12 +138,15 @@ def _minimise(
     penalties: tuple[float, ...],
     last: _Phase,
     stop: Callable[[], bool] | None,
+    been: Callable[[X], bool] | None,
 ) -> Minimum[X]:
     iterations = 0
     for rho in penalties if objective.constrained else ():
         reached = _descend(objective, x, _Phase(rho, 6, 1e-4, False), stop)
         x = reached.x
         iterations += reached.iterations
+        if been is not None and been(x):
+            return Minimum(x, iterations, False, np.inf)
     last = replace(last, budget=max(1, last.budget - iterations))
     reached = _descend(objective, x, last, stop)
     return replace(reached, iterations=iterations + reached.iterations)
@@ -197,22 +204,33 @@ def _descend(
 
 def _step(at: Evaluation, rho: float, mu: float) -> Array | None:
     A, n = at.A.copy(), len(at.A)
-    diagonal = np.diag(A)
-    A[np.diag_indices(n)] += mu * (diagonal + 1e-3 * float(diagonal.max(initial=1.0))) + 1e-15
+    diagonal = A.ravel()[:: n + 1]
+    diagonal += mu * (diagonal + 1e-3 * max(1.0, float(diagonal.max()))) + 1e-15
+    try:
+        step = _constrained_step(A, at, rho) if len(at.h) else _free_step(A, at)
+    except (np.linalg.LinAlgError, RuntimeError):
+        return None
+    return step if bool(np.isfinite(step).all()) else None
+
+
+def _free_step(A: Array, at: Evaluation) -> Array:
+    if len(A) > MAX_DENSE:
+        return _solve(A, -at.b, at.n_common)
+    # The plain routine: a small system is solved sooner than checked.
+    _, step, failed = dposv(A, at.b)
+    return np.asarray(-step) if not failed else np.asarray(-np.linalg.solve(A, at.b))
+
+
+def _constrained_step(A: Array, at: Evaluation, rho: float) -> Array:
+    n = len(A)
     h, H = _few_rows(at.h, at.H)
     k = len(h)
     system = np.zeros((n + k, n + k))
     system[:n, :n] = A
     system[:n, n:] = H.T
     system[n:, :n] = H
-    system[n:, n:] = -np.eye(k) / rho
-    right = -np.concatenate([at.b, h])
-    try:
-        solved = _solve(system, right, at.n_common)
-    except (np.linalg.LinAlgError, RuntimeError):
-        return None
-    step: Array = solved[:n]
-    return step if bool(np.isfinite(step).all()) else None
+    system.ravel()[n * (n + k + 1) :: n + k + 1] = -1 / rho
+    return _solve(system, -np.concatenate([at.b, h]), at.n_common)[:n]
 
 
 def _solve(system: Array, right: Array, n_common: int) -> Array:

@@ -12,21 +12,22 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from itertools import islice
 
 import numpy as np
 
 from .blaming import is_doubtful
 from .diagnosis import focal_sigma
-from .floating import lifts, other_depths, same_lift
-from .focal_prior import USUAL, tighter, usual_prior
+from .floating import floats_matter, lifts, other_depths, same_lift
+from .focal_prior import USUAL, spare_observations, tighter, usual_prior
 from .full import EXIF_LOG_SIGMA, FocalPrior, FullProblem, Pose
 from .graph import SketchGraph
-from .initial import Start, lift_linear, starts
+from .initial import Start, lift_linear, views
 from .least_squares import ENOUGH, EXACT_COST, Minimum, minimise
 from .problem import Problem, build_problem
 from .solution import Solution
 from .structure import Structure
-from .values import Stop
+from .values import Array, Stop
 from .warm_start import pose_from
 from .world import camera_above_ground, ground_indices, lean
 
@@ -40,8 +41,7 @@ SOME_ITERATIONS = 4
 SETTLED = 1.1
 #: From one minimum to that with another prior: gains below this part of the cost are enough.
 NEXT_ENOUGH = 1e-7
-#: How often the usual focal length is weighed anew, and a change of its weight that is none.
-MAX_WEIGHINGS = 5
+#: A change of the usual focal length's weight that is none.
 SAME_WEIGHT = 1e-3
 MAX_FINISHED = 2
 MAX_ITERATIONS = 100
@@ -53,6 +53,8 @@ REACH = 0.25
 RIVAL = 4.0
 #: A log focal length less certain than this counts as not determined by the sketch.
 UNSURE_FOCAL_SIGMA = 0.3
+#: So near to a reading that was found, in parts of the size, all ways lead to it.
+SAME_SHAPE = 2e-3
 #: Readings whose misfits differ by less than this factor fit about equally well.
 CLOSE_CALL = 1.5
 #: Things that stand lean over by so much (standard deviation), in parts of their height.
@@ -146,18 +148,36 @@ def _told(problem: Problem) -> FocalPrior | None:
 def _as_expected(
     graph: SketchGraph, lifted: Lifted, least: FocalPrior | None, stop: Stop | None
 ) -> Lifted:
-    """With the usual focal length weighed by the misfit, which changes with it."""
+    """With the usual focal length weighed by the misfit, which changes with it: at each step."""
     problem = replace(lifted.problem, log_focal_prior=None)
-    free = FullProblem(problem, None)
+    full, last = lifted.full.with_prior(None), lifted.minimum
+    spare = spare_observations(full, last.x)
     prior: FocalPrior | None = None
-    for _ in range(MAX_WEIGHINGS):
-        before, prior = prior, tighter(usual_prior(free, lifted.minimum.x), least)
+    iterations = last.iterations
+    for _ in range(MAX_ITERATIONS):
+        before, prior = prior, tighter(usual_prior(full, last.x, spare), least)
         if prior is None:
             break
-        if before is not None and abs(prior.sigma - before.sigma) < SAME_WEIGHT * before.sigma:
+        same = before is not None and abs(prior.sigma - before.sigma) < SAME_WEIGHT * before.sigma
+        if same and last.converged:
             break
-        lifted = _go_on(graph, lifted, problem, prior, stop)
-    return lifted
+        full = full.with_prior(prior)
+        last = minimise(
+            full,
+            last.x,
+            max_iterations=1,
+            enough=NEXT_ENOUGH,
+            near=True,
+            damping=last.damping,
+            stop=stop,
+        )
+        iterations += last.iterations
+        if not last.iterations:
+            break
+    if prior is None and full.prior is None:
+        return lifted
+    minimum = replace(last, iterations=iterations)
+    return Lifted(problem, full, minimum, camera_above_ground(graph, problem, minimum.x))
 
 
 def _go_on(
@@ -168,7 +188,7 @@ def _go_on(
     stop: Stop | None,
 ) -> Lifted:
     """From a minimum to that with another prior."""
-    full = FullProblem(problem, prior)
+    full = lifted.full.with_prior(prior)
     x = lifted.minimum.x
     minimum = minimise(
         full, x, max_iterations=MAX_ITERATIONS, enough=NEXT_ENOUGH, near=True, stop=stop
@@ -195,15 +215,18 @@ def _best(
     All views are carried on for a few iterations, the most promising ones to the end.
     """
     full = FullProblem(problem, prior)
+    known: list[Array] = []
 
-    def begin(pose: Pose) -> Lifted:
+    def been(x: Pose) -> bool:
+        shape = full.shape(x)
+        return any(float(np.abs(shape - other).max()) < SAME_SHAPE for other in known)
+
+    def begin(pose: Pose) -> Minimum[Pose]:
         some = TRIAL_ITERATIONS if full.constrained else SOME_ITERATIONS
-        minimum = minimise(full, pose, max_iterations=some, enough=TRIAL_ENOUGH, stop=stop)
-        above = camera_above_ground(graph, problem, minimum.x)
-        return Lifted(problem, full, minimum, above)
+        return minimise(full, pose, max_iterations=some, enough=TRIAL_ENOUGH, stop=stop, been=been)
 
-    def carry_on(last: Minimum[Pose], enough: float) -> Lifted:
-        minimum = minimise(
+    def carry_on(last: Minimum[Pose], enough: float) -> Minimum[Pose]:
+        return minimise(
             full,
             last.x,
             max_iterations=SOME_ITERATIONS,
@@ -212,21 +235,26 @@ def _best(
             damping=last.damping,
             stop=stop,
         )
-        above = camera_above_ground(graph, problem, minimum.x)
-        return Lifted(problem, full, minimum, above)
+
+    def seen(minimum: Minimum[Pose]) -> Lifted:
+        return Lifted(problem, full, minimum, camera_above_ground(graph, problem, minimum.x))
 
     tried: list[Lifted] = []
     tolerated, least = np.inf, np.inf
-    for view in starts(problem)[:MAX_STARTS]:
+    for view in islice(views(problem), MAX_STARTS):
         pose = _initial_pose(problem, view) if view.misfit <= tolerated else None
         for begun in () if pose is None else _with_floats(problem, pose):
             pursuit = _Pursuit(carry_on, TRIAL_ENOUGH, TRIAL_ITERATIONS, least)
-            tried.append(pursuit.of(begin(begun)))
+            tried.append(seen(pursuit.of(begin(begun))))
             if wary and len(tried) == 1 and is_doubtful(graph, tried[0]):
                 return replace(tried[0], doubtful=True)
+            if tried[-1].minimum.converged:
+                known.append(full.shape(tried[-1].minimum.x))
             if tried[-1].above and tried[-1].minimum.converged:
                 tolerated = min(tolerated, RIVAL * view.misfit + 1e-20)
                 least = min(least, tried[-1].minimum.cost)
+            if _is_exact(tried[-1]):
+                break
         if tried and _is_exact(tried[-1]):
             break
     finished: list[Lifted] = []
@@ -234,10 +262,10 @@ def _best(
         least = min((f.minimum.cost for f in finished), default=np.inf)
         settled = t.minimum.converged and t.minimum.cost > SETTLED * least
         pursuit = _Pursuit(carry_on, ENOUGH, MAX_ITERATIONS, least)
-        finished.append(t if settled else pursuit.of(replace(t, minimum=_open(t.minimum))))
+        finished.append(t if settled else seen(pursuit.of(_open(t.minimum))))
     for pose in _with_floats_moved(problem, finished):
         least = min(f.minimum.cost for f in finished)
-        finished.append(_Pursuit(carry_on, ENOUGH, MAX_ITERATIONS, least).of(begin(pose)))
+        finished.append(seen(_Pursuit(carry_on, ENOUGH, MAX_ITERATIONS, least).of(begin(pose))))
     return _preferred(graph, finished)[0] if finished else None
 
 
@@ -247,6 +275,8 @@ def _with_floats(problem: Problem, pose: Pose) -> list[Pose]:
 
 def _with_floats_moved(problem: Problem, finished: list[Lifted]) -> Iterator[Pose]:
     """With a good camera, other depths of parts that float may meet the annotations as well."""
+    if not floats_matter(problem) or any(map(_is_exact, finished)):
+        return
     for t in sorted(finished, key=lambda t: t.minimum.cost)[:1]:
         x = t.minimum.x
         for g in other_depths(problem, x.R, lift_linear(problem, x.R, x.log_focal, 1e-3)):
@@ -263,24 +293,24 @@ def _open(minimum: Minimum[Pose]) -> Minimum[Pose]:
 class _Pursuit:
     """Going on, as long as the least cost known so far seems within reach."""
 
-    carry_on: Callable[[Minimum[Pose], float], Lifted]
+    carry_on: Callable[[Minimum[Pose], float], Minimum[Pose]]
     enough: float
     max_iterations: int
     least: float
 
-    def of(self, t: Lifted) -> Lifted:
-        used = t.minimum.iterations
-        while used < self.max_iterations and not t.minimum.converged:
-            before = t.minimum.cost
-            t = self.carry_on(t.minimum, self.enough)
-            used += t.minimum.iterations
+    def of(self, last: Minimum[Pose]) -> Minimum[Pose]:
+        used = last.iterations
+        while used < self.max_iterations and not last.converged and last.cost < np.inf:
+            before = last.cost
+            last = self.carry_on(last, self.enough)
+            used += last.iterations
             # A stop, and a damping beyond use, end it as well.
-            stuck = t.minimum.iterations < SOME_ITERATIONS
-            beyond = self.least < t.minimum.cost
-            gain = before - t.minimum.cost
-            if stuck or (beyond and gain < REACH * (t.minimum.cost - self.least)):
+            stuck = last.iterations < SOME_ITERATIONS
+            beyond = self.least < last.cost
+            gain = before - last.cost
+            if stuck or (beyond and gain < REACH * (last.cost - self.least)):
                 break
-        return replace(t, minimum=replace(t.minimum, iterations=used))
+        return replace(last, iterations=used)
 
 
 def _promising(graph: SketchGraph, tried: list[Lifted]) -> list[Lifted]:
@@ -295,6 +325,8 @@ def _promising(graph: SketchGraph, tried: list[Lifted]) -> list[Lifted]:
 
 def _preferred(graph: SketchGraph, found: list[Lifted]) -> list[Lifted]:
     """Best first: with a ground, what is seen from above; else a close call only goes by that."""
+    if len(found) < 2:
+        return found
     least = min((c.minimum.cost for c in found), default=0.0)
     has_ground = bool(ground_indices(graph))
 

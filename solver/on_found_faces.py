@@ -66,7 +66,7 @@ def solve_on_found_faces(graph: SketchGraph, lift: Callable[[SketchGraph], Solut
     message = solution.message
     if missing and solution.vertices_mm:
         message += f" No such face was found: {', '.join(missing[:4])}."
-    return replace(solution, sketch_digest=graph.digest, message=message)
+    return replace(solution, sketch=graph, message=message)
 
 
 def _found(graph: SketchGraph, solution: Solution) -> Faces:

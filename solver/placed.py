@@ -13,7 +13,7 @@ from .graph import SketchGraph
 from .problem import Problem
 from .revolution import in_side_plane
 from .solution import SolvedCircle
-from .values import Array
+from .values import Array, FrozenRows, rows_of
 from .world import Lifted, Placement, place, up_direction
 
 
@@ -24,6 +24,7 @@ class Placed:
     Parameters
     ----------
     vertices : mapping of vertex id to (3,) array, mm
+        In the sketch's order.
     circles : mapping of circle id to SolvedCircle
     camera : Camera
     scale_assumed : bool
@@ -41,9 +42,8 @@ class Placed:
         """Distance between each drawn and projected vertex, px."""
         if not self.vertices:
             return {}
-        offsets = self.camera.project(np.array(list(self.vertices.values())))
-        offsets = offsets - np.array([graph.vertices[v] for v in self.vertices])
-        return dict(zip(self.vertices, np.linalg.norm(offsets, axis=1).tolist(), strict=True))
+        off = self.camera.project(rows_of(self.vertices)) - graph.positions_px
+        return dict(zip(self.vertices, np.hypot(off[:, 0], off[:, 1]).tolist(), strict=True))
 
 
 def put_in_world(graph: SketchGraph, core: SketchGraph, problem: Problem, pose: Pose) -> Placed:
@@ -76,11 +76,12 @@ def put_in_world(graph: SketchGraph, core: SketchGraph, problem: Problem, pose: 
 def _shape(graph: SketchGraph, core: SketchGraph, problem: Problem, pose: Pose) -> Lifted:
     """The shape in object axes, profiles included."""
     c = pose.g[problem.structure.coordinate]
-    vertices = dict(zip(core.vertices, c, strict=False))
+    vertices: Mapping[str, Array] = FrozenRows(core.vertices, c[: len(core.vertices)])
     centres = dict(zip(core.circles, c[len(core.vertices) :], strict=True))
     radii = dict(zip(core.circles, pose.g[problem.structure.radius].tolist(), strict=True))
     if graph is core:
         return Lifted(vertices, centres, radii)
+    vertices = dict(vertices)
     up = up_direction(core, problem, pose)
     for revolution in graph.revolutions.values():
         missing = [v for v in revolution.profile if v not in core.vertices]

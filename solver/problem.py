@@ -25,7 +25,7 @@ from .graph import SketchGraph
 from .sizes import Diameters, proportional_diameters
 from .structure import Structure
 from .topology import MAX_KEPT, Topology, topology_of
-from .values import Array, IntArray
+from .values import Array, IntArray, kept
 
 #: How well people draw: things they imagine, as a part of the drawing's diagonal (1 to 2 %),
 #: and things they trace on the photo, px. Imagined vertices lean together: however many there are,
@@ -105,9 +105,9 @@ class Problem:
         return np.asarray(self.camera.rotation_cam_from_world[:, 2])
 
 
+@kept
 def build_problem(graph: SketchGraph, structure: Structure) -> Problem:
     """Turn a graph and its structure into numbers."""
-    pixels = np.array(list(graph.vertices.values()), dtype=float).reshape(-1, 2)
     unit = image_unit_px(graph)
     topology = topology_of(graph)
     focal = graph.camera.focal_px if graph.camera is not None else None
@@ -115,7 +115,7 @@ def build_problem(graph: SketchGraph, structure: Structure) -> Problem:
         focal = graph.photo.focal_px
     weights, traced = _weights(graph)
     return Problem(
-        points=(pixels - np.array(graph.principal_point_px)) / unit,
+        points=(graph.positions_px - np.array(graph.principal_point_px)) / unit,
         weights=weights,
         circles=drawn_circles(graph, unit, traced),
         ends=topology.ends,
@@ -141,7 +141,7 @@ def image_unit_px(graph: SketchGraph) -> float:
 def _drawn_positions(graph: SketchGraph) -> Array:
     """Vertices and the ends of the ellipses' axes, px."""
     ends = [p for c in graph.circles.values() for p in (*c.a, *c.b)]
-    return np.array([*graph.vertices.values(), *ends], dtype=float).reshape(-1, 2)
+    return np.vstack([graph.positions_px, np.array(ends, dtype=float).reshape(-1, 2)])
 
 
 def _weights(graph: SketchGraph) -> tuple[Array, float]:
@@ -278,7 +278,7 @@ class _Planes:
     def __init__(self, graph: SketchGraph, topology: Topology, structure: Structure) -> None:
         self.vertices = topology.vertices
         self.coordinate = structure.coordinate
-        self.pixels = np.array(list(graph.vertices.values())).reshape(-1, 2)
+        self.pixels = graph.positions_px
 
     def of(self, owner: str, loop: tuple[str, ...], rest: list[str]) -> Iterator[_Item]:
         """Vertices in the plane of a loop, those left out that span it."""

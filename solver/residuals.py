@@ -4,25 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import chain
 
 import numpy as np
 
-from .annotations import (
-    Annotation,
-    Diameter,
-    EqualLength,
-    Ground,
-    Length,
-    OnFace,
-    Parallel,
-    RightAngle,
-    SymmetryPlane,
-)
+from .annotations import ANNOTATIONS, Annotation, Diameter, OnFace, RightAngle, SymmetryPlane
 from .geometry import cross
 from .graph import Face, SketchGraph
 from .solution import Residual, Residuals, SolvedCircle
-from .topology import Topology, topology_of
-from .values import Array, IntArray, kept
+from .topology import Topology, indices, topology_of
+from .values import Array, IntArray, kept, rows_of
 
 
 def annotation_residuals(
@@ -37,7 +28,8 @@ def annotation_residuals(
     A vertex on a face that is not there has none.
     """
     plan = _plan(topology_of(graph), graph.annotations)
-    X = np.array([vertices_mm[v] for v in graph.vertices], dtype=float).reshape(-1, 3)
+    # Mirrored copies come behind the sketch's own vertices.
+    X = rows_of(vertices_mm)[: len(graph.vertices)]
     values = plan.measure(X)
     for place, annotation in plan.others:
         values[place] = _measure(annotation, graph, vertices_mm, circles)
@@ -61,11 +53,11 @@ class _Groups:
     first: IntArray
 
     @classmethod
-    def of(cls, found: Sequence[tuple[int, Sequence[int]]]) -> _Groups:
+    def of(cls, index: Mapping[str, int], found: Sequence[tuple[int, Sequence[str]]]) -> _Groups:
         sizes = [len(items) for _, items in found]
         return cls(
             np.array([place for place, _ in found], dtype=np.int64),
-            np.array([i for _, items in found for i in items], dtype=np.int64),
+            indices(index, chain.from_iterable(items for _, items in found)),
             (np.cumsum([0, *sizes[:-1]])[: len(found)]).astype(np.int64),
         )
 
@@ -125,33 +117,34 @@ class _Plan:
 @kept
 def _plan(topology: Topology, annotations: Mapping[str, Annotation]) -> _Plan:
     edges, vertices, ends = topology.edges, topology.vertices, topology.ends
-    said = list(enumerate(annotations.values()))
-    corners = [(k, a) for k, a in said if isinstance(a, RightAngle)]
-    at = np.array([vertices[a.at] for _, a in corners], dtype=np.int64)
-    pairs = np.array([edges[e] for _, a in corners for e in a.between], dtype=np.int64)
+    order = {kind: k for k, kind in enumerate(ANNOTATIONS)}
+    of_kind = np.array(list(map(order.__getitem__, topology.kinds)), dtype=np.int64)
+    places = {kind: np.flatnonzero(of_kind == k) for kind, k in order.items()}
+    # Of right angles, the most by far, the topology knows all numbers.
+    said = {
+        kind: list(zip(at.tolist(), (a for _, a in topology.by_kind[kind]), strict=True))
+        for kind, at in places.items()
+        if kind != RightAngle.kind
+    }
+    units = {kind: annotation.unit for kind, annotation in ANNOTATIONS.items()}
     # The sum of an edge's ends less the one is the other.
-    far = ends.sum(axis=1)[pairs.reshape(-1, 2)] - at[:, None]
-    lengths = [(k, a) for k, a in said if isinstance(a, Length)]
+    at = topology.right_angles[:, :1]
+    far = ends.sum(axis=1)[topology.right_angles[:, 1:]] - at
+    lengths = [a for _, a in said["length"]]
     return _Plan(
         ids=tuple(annotations),
-        units=tuple(a.unit for _, a in said),
+        units=tuple(map(units.__getitem__, topology.kinds)),
         ends=ends,
-        corner_places=np.array([k for k, _ in corners], dtype=np.int64),
-        corners=np.column_stack([at, far]),
-        parallels=_Groups.of(
-            [(k, [edges[e] for e in a.edges]) for k, a in said if isinstance(a, Parallel)]
-        ),
-        equals=_Groups.of(
-            [(k, [edges[e] for e in a.edges]) for k, a in said if isinstance(a, EqualLength)]
-        ),
-        ground=_Groups.of(
-            [(k, [vertices[v] for v in a.vertices]) for k, a in said if isinstance(a, Ground)]
-        ),
-        length_places=np.array([k for k, _ in lengths], dtype=np.int64),
-        length_edges=np.array([edges[a.edge] for _, a in lengths], dtype=np.int64),
-        lengths_mm=np.array([a.length_mm for _, a in lengths], dtype=float),
-        on_faces=tuple((k, a) for k, a in said if isinstance(a, OnFace)),
-        others=tuple((k, a) for k, a in said if isinstance(a, Diameter | SymmetryPlane)),
+        corner_places=places[RightAngle.kind],
+        corners=np.hstack([at, far]),
+        parallels=_Groups.of(edges, [(k, a.edges) for k, a in said["parallel"]]),
+        equals=_Groups.of(edges, [(k, a.edges) for k, a in said["equal_length"]]),
+        ground=_Groups.of(vertices, [(k, a.vertices) for k, a in said["ground"]]),
+        length_places=places["length"],
+        length_edges=indices(edges, (a.edge for a in lengths)),
+        lengths_mm=np.array([a.length_mm for a in lengths], dtype=float),
+        on_faces=tuple(said["on_face"]),
+        others=(*said["diameter"], *said["symmetry_plane"]),
     )
 
 

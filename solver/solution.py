@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from .camera import Camera
-from .graph import Face, face_to_json
-from .values import Array, frozen_array, frozen_mapping, frozen_rows
+from .graph import Face, SketchGraph, face_to_json
+from .values import Array, frozen_array, frozen_mapping, frozen_rows, rows_of
 
 FORMAT = "incontext/solution"
 VERSION = 1
@@ -125,8 +125,8 @@ class Solution:
 
     Parameters
     ----------
-    sketch_digest : str
-        Digest of the graph that was solved.
+    sketch : SketchGraph or str
+        The graph that was solved, or its digest where only that is known (read from a file).
     status : Status
     message : str
         One sentence for people.
@@ -141,7 +141,7 @@ class Solution:
     report : Report
     """
 
-    sketch_digest: str
+    sketch: SketchGraph | str
     status: Status
     message: str
     vertices_mm: Mapping[str, Array] = field(default_factory=dict)
@@ -158,15 +158,21 @@ class Solution:
             object.__setattr__(self, name, frozen_mapping(getattr(self, name)))
 
     @property
+    def sketch_digest(self) -> str:
+        """Digest of the graph that was solved; worked out when asked for, as few ask."""
+        return self.sketch if isinstance(self.sketch, str) else self.sketch.digest
+
+    @property
     def is_bounded(self) -> bool:
         """Whether all numbers are finite, and positions such that a program can work with them."""
-        positions = [*self.vertices_mm.values(), *(c.center_mm for c in self.circles.values())]
+        positions = [c.center_mm for c in self.circles.values()]
         numbers = [*(c.radius_mm for c in self.circles.values())]
         if self.camera is not None:
             positions += [self.camera.translation_cam_from_world_mm]
             numbers += [self.camera.focal_px, *self.camera.principal_point_px.tolist()]
         # Not so for NaN either.
-        bounded = bool((np.abs(np.array(positions, dtype=float)) <= MAX_MM).all())
+        bounded = bool((np.abs(rows_of(self.vertices_mm)) <= MAX_MM).all())
+        bounded = bounded and bool((np.abs(np.array(positions, dtype=float)) <= MAX_MM).all())
         bounded = bounded and all(abs(x) <= MAX_MM for x in numbers)
         return bounded and bool(np.isfinite([*self.report.reprojection_px.values()]).all())
 

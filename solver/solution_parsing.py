@@ -37,7 +37,7 @@ def solution_from_json(value: Any) -> Solution:
             f"status is {str(body['status'])[:40]!r}", (), ", ".join(s.value for s in Status)
         ) from error
     solution = Solution(
-        sketch_digest=_text(body["sketch_digest"], "sketch_digest"),
+        sketch=_text(body["sketch_digest"], "sketch_digest"),
         status=status,
         message=_text(body["message"], "message"),
         vertices_mm=_items(body["vertices"], "vertices", _position),

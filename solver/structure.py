@@ -127,7 +127,7 @@ def _share(
 
 
 def _drawn_lengths(graph: SketchGraph, topology: Topology) -> Array:
-    at = np.array(list(graph.vertices.values()), dtype=float).reshape(-1, 2)
+    at = graph.positions_px
     delta = at[topology.ends[:, 1]] - at[topology.ends[:, 0]]
     return np.asarray(np.hypot(delta[:, 0], delta[:, 1]))
 
@@ -205,7 +205,7 @@ def _most_upright_axis(
     if not axes:
         return 2
     edge_axis, _ = _edges_on_axes(topology, directions, axes)
-    at = np.array(list(graph.vertices.values()), dtype=float).reshape(-1, 2)
+    at = graph.positions_px
     delta = np.abs(at[topology.ends[:, 1]] - at[topology.ends[:, 0]])
     leans = np.full(3, np.inf)
     for k in range(3):
@@ -271,11 +271,6 @@ def _square_axes(
     along = {axis_between.get(frozenset((loop[k - 1], loop[k])), -1) for k in range(len(loop))}
     shared = [k for k in range(3) if len({sets.find(3 * i + k) for i in loop}) == 1]
     return [k for k in range(3) if k in shared or {0, 1, 2} - {k} <= along]
-
-
-def ground_circles(graph: SketchGraph) -> list[str]:
-    """The circles that stand on the ground: each revolution's first ([Lau10] 4.2)."""
-    return sorted({r.ground for r in graph.revolutions.values()})
 
 
 def _edges_by_coordinates(

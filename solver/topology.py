@@ -11,8 +11,9 @@ two-path
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from itertools import chain
 from threading import Lock
 from typing import Any
 
@@ -42,6 +43,8 @@ class Topology:
     revolutions, faces : as in SketchGraph
     right_angles : (k, 3) int array
         Vertex and the two edges of each annotated right angle.
+    kinds : tuple of str
+        Of each annotation.
     by_kind : mapping of kind to tuple of (id, Annotation)
     parallels : tuple of int arrays
         Edges of each parallel annotation and of each symmetry plane.
@@ -56,6 +59,7 @@ class Topology:
     revolutions: Mapping[str, Revolution]
     faces: Mapping[str, Face] | None
     right_angles: IntArray
+    kinds: tuple[str, ...]
     by_kind: Mapping[str, tuple[tuple[str, Any], ...]]
     parallels: tuple[IntArray, ...]
     ground: IntArray
@@ -108,31 +112,34 @@ def topology_with(graph: SketchGraph, annotations: Mapping[str, Annotation]) -> 
     vertices = {v: i for i, v in enumerate(graph.vertices)}
     edges = {e: i for i, e in enumerate(graph.edges)}
     by_kind: dict[str, list[tuple[str, Any]]] = {kind: [] for kind in ANNOTATIONS}
-    for item in annotations.items():
-        by_kind[item[1].kind].append(item)
-    corners = []
-    for _, a in by_kind["right_angle"]:
-        first, second = a.between
-        corners.append((vertices[a.at], edges[first], edges[second]))
+    kinds = tuple([a.kind for a in annotations.values()])
+    for kind, item in zip(kinds, annotations.items(), strict=True):
+        by_kind[kind].append(item)
+    corners = [a for _, a in by_kind["right_angle"]]
+    at = indices(vertices, [a.at for a in corners])
+    between = indices(edges, chain.from_iterable([a.between for a in corners]))
     together = [a.edges for _, a in by_kind["parallel"]]
     together += [a.midpoints_of for _, a in by_kind["symmetry_plane"]]
-    ground = {vertices[v] for _, a in by_kind["ground"] for v in a.vertices}
+    ground = {v for _, a in by_kind["ground"] for v in a.vertices}
+    ends = indices(vertices, chain.from_iterable(graph.edges.values()))
     return Topology(
         vertices=vertices,
         edges=edges,
         circles={c: i for i, c in enumerate(graph.circles)},
-        ends=_ints([(vertices[v], vertices[w]) for v, w in graph.edges.values()], 2),
+        ends=ends.reshape(-1, 2),
         revolutions=graph.revolutions,
         faces=graph.faces,
+        kinds=kinds,
         by_kind={kind: tuple(items) for kind, items in by_kind.items()},
-        right_angles=_ints(corners, 3),
-        parallels=tuple(np.array([edges[e] for e in group]) for group in together),
-        ground=np.array(sorted(ground), dtype=np.int64),
+        right_angles=np.column_stack([at, between.reshape(-1, 2)]),
+        parallels=tuple(indices(edges, group) for group in together),
+        ground=np.sort(indices(vertices, ground)),
     )
 
 
-def _ints(rows: list[Any], width: int) -> IntArray:
-    return np.array(rows, dtype=np.int64).reshape(-1, width)
+def indices(index: Mapping[str, int], ids: Iterable[str]) -> IntArray:
+    """The numbers of ids."""
+    return np.array(list(map(index.__getitem__, ids)), dtype=np.int64)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -24,6 +24,7 @@ from .blaming import (
     Blame,
     blame_for_clash,
     blame_for_wishes,
+    drawing_rms,
     drawn_diagonal,
     find_blame,
     is_settled,
@@ -57,10 +58,12 @@ from .revolution import without_profiles
 from .solution import Report, Solution, Status
 from .structure import Structure, build_structure
 from .symmetry import Geometry, mirrored
-from .values import Array, Progress, Stop
+from .values import Array, Progress, Stop, rows_of
 from .wishes import drawn_shape, fulfilled, wishes_of
 from .world import ground_indices
 
+#: Vertices whose spread to the side is so small a part of that along are on one line.
+ON_A_LINE = 1e-6
 #: Said where the standard errors of sizes are large.
 UNSURE = " Its sizes are unsure: mark more, give a length, or trace something real in the photo."
 #: A camera this part of its height off is worth a word.
@@ -121,7 +124,7 @@ def _solve(
     tell(0.0, "reasoning about the annotations")
     nothing = _nothing_to_lift(graph)
     if nothing is not None:
-        return Solution(graph.digest, Status.UNDERDETERMINED, nothing)
+        return Solution(graph, Status.UNDERDETERMINED, nothing)
     core = without_profiles(graph)
     structure = build_structure(core)
     if structure.contradiction:
@@ -158,13 +161,13 @@ def _reading_asked_for(core: SketchGraph, lifted: Lifted, stop: Stop, *, twin: b
 
 def _too_free(graph: SketchGraph, what: str) -> Solution:
     message = f"{what}, too many to solve for: mark right angles and parallels."
-    return Solution(graph.digest, Status.UNDERDETERMINED, message)
+    return Solution(graph, Status.UNDERDETERMINED, message)
 
 
 def _lost(graph: SketchGraph) -> Solution:
     """Wild drawings end without a shape, or with one whose numbers overflow."""
     return Solution(
-        graph.digest,
+        graph,
         Status.NOT_CONVERGED,
         "No 3D shape fits this drawing; check the annotations against it.",
     )
@@ -177,9 +180,10 @@ def _nothing_to_lift(graph: SketchGraph) -> str | None:
         return f"{_and(flat)} drawn without width or height: pull the ellipse open."
     if graph.circles:
         return None
-    pixels = np.array(list(graph.vertices.values()))
-    spread = np.linalg.svd(pixels - pixels.mean(axis=0), compute_uv=False)
-    if len(pixels) < 3 or spread[1] <= 1e-6 * max(float(spread[0]), 1e-300):
+    pixels = graph.positions_px
+    off = pixels - pixels.sum(axis=0) / max(1, len(pixels))
+    spread = np.linalg.eigvalsh(off.T @ off)
+    if len(pixels) < 3 or float(spread[0]) <= ON_A_LINE**2 * max(float(spread[1]), 1e-300):
         return "All vertices lie on one line: draw edges in at least two directions."
     return None
 
@@ -200,7 +204,7 @@ def _without_culprit(graph: SketchGraph, core: SketchGraph, stop: Stop) -> Solut
     lifted = kept.get(first) or _lift_without(core, first, stop)
     if lifted is None or lifted.doubtful:
         report = Report(conflicts=blamed.ids)
-        return Solution(graph.digest, Status.CONFLICTING, blamed.message, report=report)
+        return Solution(graph, Status.CONFLICTING, blamed.message, report=report)
     return _describe(graph, core, lifted, blamed)
 
 
@@ -277,8 +281,10 @@ def _describe(
     # Away from the drawing its slopes tell nothing; before the wish nothing was left open.
     found = freedoms(lifted.full, pose, [*core.vertices, *core.circles])
     open_ = Freedoms(0, ()) if wished else found
-    extent = np.array([*vertices.values(), *(c.center_mm for c in circles.values())])
-    conflicts = unmet_annotations(residuals, size_of(extent.reshape(-1, 3)))
+    extent = rows_of(vertices)
+    if circles:
+        extent = np.vstack([extent, *(c.center_mm for c in circles.values())])
+    conflicts = unmet_annotations(residuals, size_of(extent))
     sigmas = size_sigmas(lifted.full, pose) if not open_.count else np.zeros(0)
     unsure = bool(np.sqrt(np.mean(sigmas**2)) > UNSURE_SIZE_SIGMA) if len(sigmas) else False
     status, message = _verdict(core, lifted, open_, conflicts, wished=wished)
@@ -292,7 +298,7 @@ def _describe(
     elif status is Status.NOT_CONVERGED:
         conflicts = ()
     return Solution(
-        graph.digest,
+        graph,
         status,
         message + on_faces,
         geometry.vertices,
@@ -376,9 +382,9 @@ def _verdict(
             Status.NOT_CONVERGED,
             "The drawing and the annotations are too far apart: check the annotations.",
         )
-    reading = reading_of(core, lifted)
-    if reading.rms > GROSS_RMS:
-        px = reading.rms * drawn_diagonal(lifted.problem) * lifted.problem.px_per_unit
+    rms = drawing_rms(lifted)
+    if rms > GROSS_RMS:
+        px = rms * drawn_diagonal(lifted.problem) * lifted.problem.px_per_unit
         return (
             Status.CONVERGED,
             f"Solved, but the drawing is missed by {px:.0f} px: check the annotations against it.",

@@ -112,7 +112,7 @@ def _without_edges(topology: Topology) -> tuple[str, ...]:
 
 def _near_vertices(graph: SketchGraph) -> Iterator[Finding]:
     names = list(graph.vertices)
-    for i, j in _near_pairs(np.array([*graph.vertices.values()], dtype=float).reshape(-1, 2)):
+    for i, j in _near_pairs(graph.positions_px):
         pair = sorted((names[i], names[j]))
         yield _warning(
             f"two vertices almost in one place ({', '.join(pair)}); try: merge them", *pair
@@ -139,7 +139,7 @@ def _outside_photo(graph: SketchGraph) -> Iterator[Finding]:
     if graph.photo is None:
         return
     size = np.array([graph.photo.width_px, graph.photo.height_px], dtype=float)
-    points = np.array([*graph.vertices.values()], dtype=float).reshape(-1, 2)
+    points = graph.positions_px
     outside = ((points < -size) | (points > 2 * size)).any(axis=1)
     if outside.any():
         names = list(graph.vertices)

@@ -10,7 +10,7 @@ kept
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import lru_cache, wraps
 from typing import Any, NoReturn, TypeVar
 
@@ -56,9 +56,17 @@ class FrozenDict(dict[K, V]):
 
 
 class FrozenRows(FrozenDict[str, Array]):
-    """Rows of one read-only array by id."""
+    """Rows of one read-only array (n, 3) by id, and the array."""
 
-    __slots__ = ()
+    __slots__ = ("array",)
+
+    def __init__(self, ids: Iterable[str], array: Array) -> None:
+        array.setflags(write=False)
+        super().__init__(zip(ids, array, strict=True))
+        self.array = array
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (type(self), (tuple(self), self.array))
 
 
 def frozen_mapping(items: Mapping[str, V]) -> Mapping[str, V]:
@@ -70,8 +78,14 @@ def frozen_rows(items: Mapping[str, Any]) -> Mapping[str, Array]:
     """Read-only (3,) arrays by id; frozen rows themselves come back as they are."""
     if isinstance(items, FrozenRows):
         return items
-    rows = frozen_array([*items.values()], (len(items), 3))
-    return FrozenRows(zip(items, rows, strict=True))
+    return FrozenRows(items, frozen_array([*items.values()], (len(items), 3)))
+
+
+def rows_of(items: Mapping[str, Array]) -> Array:
+    """All rows together, (n, 3)."""
+    if isinstance(items, FrozenRows):
+        return items.array
+    return np.array([*items.values()], dtype=np.float64).reshape(-1, 3)
 
 
 def kept(make: Callable[..., V]) -> Callable[..., V]:

@@ -14,6 +14,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -21,15 +22,16 @@ from .full import Pose
 from .geometry import cross
 from .graph import SketchGraph
 from .problem import Problem
-from .structure import ground_circles
-from .topology import topology_of
-from .values import Array
+from .topology import MAX_KEPT, Topology, topology_of
+from .values import Array, FrozenRows, IntArray, rows_of
 
 ASSUMED_LONGEST_MM = 100.0
 #: A length and a known camera that differ by less than this part agree.
 AGREE = 1e-9
 #: A direction with this cosine to the upward one tells nothing of what is level.
 MOSTLY_UP = 1 - 1e-9
+#: An object whose middle is so little above its ground, in parts of its size, is flat.
+FLAT = 1e-9
 #: What is deeper in the ground than this part of the object's size is not there by chance.
 SUNK = 0.05
 
@@ -55,12 +57,9 @@ class Placement:
             self.scale * (c @ self.rotation_world_from_object.T) + self.translation_mm
         )
 
-    def all_to_world(self, points: Mapping[str, Array]) -> dict[str, Array]:
+    def all_to_world(self, points: Mapping[str, Array]) -> FrozenRows:
         """World positions of named points, mm."""
-        if not points:
-            return {}
-        moved = self.to_world(np.array(list(points.values())))
-        return dict(zip(points, moved, strict=True))
+        return FrozenRows(points, self.to_world(rows_of(points)))
 
 
 def up_direction(graph: SketchGraph, problem: Problem, pose: Pose) -> Array:
@@ -69,23 +68,26 @@ def up_direction(graph: SketchGraph, problem: Problem, pose: Pose) -> Array:
     Square to the ground, towards the rest of the object (for a flat object, towards the camera);
     without ground vertices the object axis that points most upwards in the photo.
     """
-    c = pose.g[problem.structure.coordinate]
-    ground = ground_indices(graph)
+    ground = _ground_indices(topology_of(graph))
     vertical = problem.structure.vertical
     if problem.up_in_cam is not None and vertical is not None:
         return np.asarray(np.eye(3)[vertical] * np.sign(pose.R[:, vertical] @ problem.up_in_cam))
     if vertical is None and len(ground) < 3:
         return _most_upright(problem, pose)
-    if vertical is not None and not ground:
+    if vertical is not None and not len(ground):
         return np.asarray(np.eye(3)[vertical] * (-1.0 if pose.R[1, vertical] > 0 else 1.0))
     if vertical is not None:
-        normal = np.eye(3)[vertical]
-    else:
-        middle = c[ground].mean(axis=0)
-        normal = np.linalg.svd(c[ground] - middle)[2][2]
+        heights = pose.g[problem.structure.coordinate[:, vertical]]
+        level = float(heights[ground].sum()) / len(ground)
+        rise = float(heights.sum()) / len(heights) - level
+        flat = abs(rise) <= FLAT * float(np.abs(pose.g).max())
+        return np.asarray(np.eye(3)[vertical] * (1.0 if (-level if flat else rise) >= 0 else -1.0))
+    c = pose.g[problem.structure.coordinate]
+    middle = c[ground].mean(axis=0)
+    normal = np.linalg.svd(c[ground] - middle)[2][2]
     height = (c - c[ground].mean(axis=0)) @ normal
     mean = float(height.mean())
-    if abs(mean) <= 1e-9 * float(np.abs(c).max(initial=0.0)):
+    if abs(mean) <= FLAT * float(np.abs(c).max(initial=0.0)):
         mean = float(-(c[ground].mean(axis=0) @ normal))
     return np.asarray(normal if mean >= 0 else -normal)
 
@@ -101,8 +103,12 @@ def _most_upright(problem: Problem, pose: Pose) -> Array:
 def camera_above_ground(graph: SketchGraph, problem: Problem, pose: Pose) -> bool:
     """Whether the camera looks at the object from above, as people take photos."""
     up = up_direction(graph, problem, pose)
-    ground = ground_indices(graph)
-    if len(ground) and (problem.structure.vertical is not None or len(ground) >= 3):
+    ground = _ground_indices(topology_of(graph))
+    vertical = problem.structure.vertical
+    if len(ground) and vertical is not None:
+        level = pose.g[problem.structure.coordinate[ground, vertical]].sum()
+        return float(level * up[vertical]) < 0
+    if len(ground) >= 3:
         c = pose.g[problem.structure.coordinate]
         return float(-(c[ground].mean(axis=0) @ up)) > 0
     return float(pose.R[2] @ up) < 0
@@ -135,9 +141,14 @@ def lean(graph: SketchGraph, problem: Problem, pose: Pose) -> float:
 
 def ground_indices(graph: SketchGraph) -> list[int]:
     """Indices of the points on the ground: annotated vertices, ground circles' centres."""
-    topology = topology_of(graph)
-    circles = [len(topology.vertices) + topology.circles[c] for c in ground_circles(graph)]
-    return sorted([*topology.ground.tolist(), *circles])
+    return list(_ground_indices(topology_of(graph)).tolist())
+
+
+@lru_cache(maxsize=MAX_KEPT)
+def _ground_indices(topology: Topology) -> IntArray:
+    stand = {r.ground for r in topology.revolutions.values()}
+    circles = [len(topology.vertices) + topology.circles[c] for c in stand]
+    return np.array(sorted([*topology.ground.tolist(), *circles]), dtype=np.int64)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -175,7 +186,9 @@ def place(
         return _place_under_camera(graph, core, problem, pose, lifted)
     W = _axes(problem, pose, up_direction(core, problem, pose))
     scale, assumed = _scale(graph, lifted)
-    points = np.array([*lifted.vertices.values(), *lifted.centres.values()]).reshape(-1, 3)
+    points = rows_of(lifted.vertices)
+    if lifted.centres:
+        points = np.vstack([points, rows_of(lifted.centres)])
     turned = scale * (points @ W.T)
     lowest = turned.min(axis=0)
     ground = ground_indices(core)
@@ -240,8 +253,11 @@ def _scale(graph: SketchGraph, lifted: Lifted) -> tuple[float, bool]:
             return 1.0, False
         # Exact for one length or lengths in proportion, a fair mean for others.
         return float(np.sum(weight) / np.sum(weight**2)), False
-    lengths = [_length(graph, lifted, e) for e in graph.edges]
-    longest = max(lengths or [2 * r for r in lifted.radii.values()], default=0.0)
+    longest = max((2 * r for r in lifted.radii.values()), default=0.0)
+    if graph.edges:
+        ends = rows_of(lifted.vertices)[topology_of(graph).ends]
+        along = ends[:, 1] - ends[:, 0]
+        longest = math.sqrt(float(np.einsum("ei,ei->e", along, along).max()))
     return (ASSUMED_LONGEST_MM / longest if longest > 0 else 1.0), True
 
 

@@ -160,6 +160,7 @@ def _add_bench(commands: Any) -> None:
     add = command.add_argument
     add("--runs", metavar="N", type=_count, help="views of each shape (5; 2 with --quick)")
     add("--study", action="store_true", help="how exact and how sure ours is, over random shapes")
+    add("--speed", action="store_true", help="how fast ours is, to 1,000 vertices, and the ratios")
     add("--quick", action="store_true", help="small shapes and the table, about a minute")
     add("--pictures", action="store_true", help="write figure8.png and figure9.png to build/bench")
     command.set_defaults(run=_bench)
@@ -270,16 +271,23 @@ def _solver(method: str, *, twin: bool) -> Callable[..., Solution]:
 
 
 def _bench(arguments: argparse.Namespace) -> int:
-    from .bench import Options, bench, study, write_pictures
+    from .bench import Options, bench, speed, study, write_pictures
     from .bench.plates import plates_bench
 
     if arguments.study:
         for line in study(arguments.runs or STUDY_RUNS):
             print(line, flush=True)
         return OK
-    options = Options.quick() if arguments.quick else Options.full()
-    for line in bench(options.with_runs(arguments.runs)):
+    options = (Options.quick() if arguments.quick else Options.full()).with_runs(arguments.runs)
+    if arguments.speed:
+        for line in speed(options.shapes, options.runs):
+            print(line, flush=True)
+        return OK
+    for line in bench(options):
         print(line, flush=True)
+    if not arguments.quick:
+        for line in speed(options.shapes, options.runs):
+            print(line, flush=True)
     for line in plates_bench():
         print(line, flush=True)
     if arguments.pictures:

@@ -16,6 +16,7 @@ import numpy as np
 from ..full import FullProblem, Pose
 from ..geometry import cross
 from ..values import Array
+from .definite import safe_inverse
 
 #: Up to so many unknowns the null space is taken from the Jacobian itself.
 MAX_SVD = 300
@@ -41,6 +42,10 @@ def freedoms(full: FullProblem, x: Pose, names: list[str]) -> Freedoms:
     names : list of ids
         Of the vertices, then of the circles.
     """
+    at = full.evaluate(x)
+    if safe_inverse(at.A + at.H.T @ at.H if len(at.h) else at.A) is not None:
+        # Nothing but the overall size, which is held there, can be free.
+        return Freedoms(0, ())
     _, J = full.jacobian(x)
     _, H = full.constraints(x)
     # Constraints weigh as much as the drawing: only whether they act matters here. The gauge is

@@ -5,7 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from ..full import FullProblem, Pose
-from ..values import Array
+from ..projection import N_CAMERA
+from ..values import Array, IntArray
+from .definite import safe_inverse
 from .freedoms import NULL_TOLERANCE
 
 #: How people draw (RMS of a vertex, in parts of the drawing's diagonal), and for how many observed
@@ -18,13 +20,17 @@ UNSURE_SIZE_SIGMA = 0.1
 def focal_sigma(full: FullProblem, x: Pose) -> float:
     """Standard error of the log focal length, from the drawing's own misfit."""
     at = full.evaluate(x)
-    r, _ = full.jacobian(x)
+    squares, n_residuals = full.merit(x, 0.0), full.n_residuals
+    inverse = None if len(at.h) else safe_inverse(at.A)
+    if inverse is not None:
+        noise = max(squares / max(1, n_residuals - len(at.A) + 1), 1e-14)
+        return float(np.exp(x.log_focal) * np.sqrt(noise * inverse[3, 3]))
     # In the directions that keep the constraints: weighing these against the drawing instead would
     # drown what little a view from afar says of its focal length.
     N = tangent(at.H)
     A = N.T @ at.A @ N
-    spare = max(1, len(r) - N.shape[1] + 1)
-    noise = max(float(r @ r) / spare, 1e-14)
+    spare = max(1, n_residuals - N.shape[1] + 1)
+    noise = max(squares / spare, 1e-14)
     values, vectors = np.linalg.eigh(A)
     share = vectors.T @ N[3]
     floor = 1e-13 * float(values.max())
@@ -47,34 +53,57 @@ def size_sigmas(full: FullProblem, x: Pose) -> Array:
     if not len(ends):
         return np.zeros(0)
     at = full.evaluate(x)
-    N = tangent(at.H)
-    A = N.T @ at.A @ N
-    values, vectors = np.linalg.eigh(A)
+    inverse = None if len(at.h) else safe_inverse(at.A)
+    if inverse is not None:
+        n_free, spread = len(at.A), _relative_spread(full, x, inverse)
+    else:
+        N = tangent(at.H)
+        n_free, spread = N.shape[1], _spread_on_constraints(full, x, at.A, N)
+    points = np.vstack([full.problem.points, full.problem.circles.centres])
+    usual = (USUAL_SIGMA * float(np.linalg.norm(np.ptp(points, axis=0)))) ** 2 / 2
+    spare = max(0, 2 * full.n_vertices - n_free + 1)
+    misfit = full.merit(x, 0.0)
+    variance = (USUAL_COUNT * usual + misfit) / (USUAL_COUNT + spare)
+    return np.asarray(np.sqrt(variance * spread))
+
+
+def _spread_on_constraints(full: FullProblem, x: Pose, A: Array, N: Array) -> Array:
+    """Variances of the relative log lengths for unit noise, the unknowns moving along N."""
+    values, vectors = np.linalg.eigh(N.T @ A @ N)
     kept = values > 1e-13 * float(values.max())
     by_length = _by_log_length(full, x) @ N @ vectors
     by_length -= by_length.mean(axis=0)
     if float(np.abs(by_length[:, ~kept]).max(initial=0.0)) > 1e-6 * float(np.abs(by_length).max()):
-        return np.full(len(ends), np.inf)
-    points = np.vstack([full.problem.points, full.problem.circles.centres])
-    usual = (USUAL_SIGMA * float(np.linalg.norm(np.ptp(points, axis=0)))) ** 2 / 2
-    spare = max(0, 2 * full.n_vertices - N.shape[1] + 1)
-    misfit = full.merit(x, 0.0)
-    variance = (USUAL_COUNT * usual + misfit) / (USUAL_COUNT + spare)
-    return np.asarray(np.sqrt(variance * (by_length[:, kept] ** 2 / values[kept]).sum(axis=1)))
+        return np.full(len(by_length), np.inf)
+    return np.asarray((by_length[:, kept] ** 2 / values[kept]).sum(axis=1))
+
+
+def _relative_spread(full: FullProblem, x: Pose, inverse: Array) -> Array:
+    """The same by the inverse of A, each edge speaking of six coordinates only."""
+    columns, slopes = _slopes(full, x)
+    mean = np.bincount(columns.ravel(), slopes.ravel(), len(inverse)) / len(columns)
+    towards = inverse @ mean
+    own = np.einsum("ei,eij,ej->e", slopes, inverse[columns[:, :, None], columns[:, None]], slopes)
+    shared = np.einsum("ei,ei->e", slopes, towards[columns])
+    return np.asarray(np.maximum(own - 2 * shared + float(mean @ towards), 0.0))
+
+
+def _slopes(full: FullProblem, x: Pose) -> tuple[IntArray, Array]:
+    """Derivatives of the edges' log lengths by the coordinates of both ends, (m, 6)."""
+    ends, coordinate = full.problem.ends, full.coordinate
+    columns = N_CAMERA + np.hstack([coordinate[ends[:, 1]], coordinate[ends[:, 0]]])
+    u = x.g[columns[:, :3] - N_CAMERA] - x.g[columns[:, 3:] - N_CAMERA]
+    u = u / np.maximum(np.einsum("ei,ei->e", u, u), 1e-300)[:, None]
+    return columns, np.hstack([u, -u])
 
 
 def _by_log_length(full: FullProblem, x: Pose) -> Array:
     """Derivatives of the logarithms of the edges' lengths by (omega, kappa, g), (m, 4 + g)."""
-    ends, coordinate = full.problem.ends, full.coordinate
-    X = full.positions(x)
-    u = X[ends[:, 1]] - X[ends[:, 0]]
-    u = u / np.maximum((u**2).sum(axis=1), 1e-300)[:, None]
-    D = np.zeros((len(ends), 4 + full.m))
-    rows = np.arange(len(ends))
-    for k in range(3):
-        np.add.at(D, (rows, 4 + coordinate[ends[:, 1], k]), u[:, k])
-        np.add.at(D, (rows, 4 + coordinate[ends[:, 0], k]), -u[:, k])
-    return D
+    columns, slopes = _slopes(full, x)
+    M = N_CAMERA + full.m
+    places = np.arange(len(columns))[:, None] * M + columns
+    D = np.bincount(places.ravel(), slopes.ravel(), len(columns) * M)
+    return np.asarray(D.reshape(-1, M))
 
 
 def tangent(H: Array) -> Array:

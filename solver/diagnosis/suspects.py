@@ -19,13 +19,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..annotations import Ground, Length, OnFace, Parallel, RightAngle, SymmetryPlane
+from ..annotations import Length, OnFace, Parallel, RightAngle, SymmetryPlane
 from ..full import EXIF_LOG_SIGMA, FocalPrior, FullProblem, Pose
 from ..graph import SketchGraph
 from ..initial import USUAL_LOG_FOCAL, lift_linear, starts
 from ..least_squares import Evaluation
 from ..problem import Problem, build_problem
 from ..structure import Structure, build_structure
+from ..topology import topology_of
 from ..values import Array, IntArray
 
 #: How far a hand strays from the line that it means, RMS in parts of the drawing's diagonal.
@@ -300,9 +301,11 @@ def row_owners(graph: SketchGraph, full: FullProblem) -> list[tuple[str, ...]]:
     Lengths are compared with the first one, and ground vertices with others on the ground: such
     rows are asked for by both sides. Rows that only a named face asks for have no owner.
     """
-    names = list(graph.vertices)
-    first = next((id_ for id_, a in graph.annotations.items() if isinstance(a, Length)), None)
-    ground = {id_: set(a.vertices) for id_, a in graph.annotations.items() if isinstance(a, Ground)}
+    if not full.constrained:
+        return []
+    names, said = list(graph.vertices), topology_of(graph).by_kind
+    first = next((id_ for id_, _ in said["length"]), None)
+    ground = {id_: set(a.vertices) for id_, a in said["ground"]}
 
     def asking(owner: str, item: Sequence[int]) -> tuple[str, ...]:
         if owner in ground:

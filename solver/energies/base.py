@@ -36,7 +36,7 @@ class Linearised:
 
 def unit_vectors(u: Array) -> tuple[Array, Array]:
     """Directions and lengths of vectors (k, 3); a vector of length 0 has direction 0."""
-    length = np.linalg.norm(u, axis=1)
+    length = np.sqrt(np.einsum("ij,ij->i", u, u))
     safe = np.maximum(length, TINY)
     return u / safe[:, None], length
 

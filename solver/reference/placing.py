@@ -97,9 +97,9 @@ def run(name: str, graph: SketchGraph, method: Callable[[Drawing], Reference]) -
     if graph.circles or graph.revolutions:
         ids = ", ".join([*graph.circles, *graph.revolutions][:4])
         text = f"{name} is given here for straight edges only, without {ids}: take method ours."
-        return Solution(graph.digest, Status.NOT_CONVERGED, text)
+        return Solution(graph, Status.NOT_CONVERGED, text)
     if nothing := _nothing_to_lift(graph):
-        return Solution(graph.digest, Status.UNDERDETERMINED, nothing)
+        return Solution(graph, Status.UNDERDETERMINED, nothing)
     drawing = read_drawing(graph)
     solution = _described(name, drawing, method(drawing))
     elapsed = (time.perf_counter() - began) * 1e3
@@ -123,7 +123,7 @@ def _described(name: str, drawing: Drawing, found: Reference) -> Solution:
     X[list(drawing.ground), 2] = 0.0  # "we project the remaining ones to the ground"
     scale, assumed = _scale(drawing, X)
     if not (np.isfinite(X).all() and scale < COLLAPSED):
-        return Solution(graph.digest, Status.NOT_CONVERGED, f"{name} shrank the shape to nothing.")
+        return Solution(graph, Status.NOT_CONVERGED, f"{name} shrank the shape to nothing.")
     vertices = dict(zip(graph.vertices, scale * X, strict=True))
     camera = _camera(drawing, view, scale)
     faces = _faces(graph, vertices)
@@ -133,7 +133,7 @@ def _described(name: str, drawing: Drawing, found: Reference) -> Solution:
     missed = float(np.sqrt(np.mean(off**2))) / DIAGONAL
     status, message = _verdict(name, graph, unmet, missed)
     return Solution(
-        graph.digest,
+        graph,
         status,
         message,
         vertices,

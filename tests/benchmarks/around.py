@@ -49,7 +49,7 @@ def parts(graph, solution) -> dict[str, Callable[[], object]]:
 
     def built() -> Solution:
         return Solution(
-            solution.sketch_digest,
+            solution.sketch,
             solution.status,
             solution.message,
             rows,

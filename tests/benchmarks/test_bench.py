@@ -10,10 +10,12 @@ from PIL import Image
 from scenes import SHAPES, box, l_shape
 
 from incontext.solver.reference import METHODS, Limits
+from incontext.solver.synthetic import organizer
 from incontext.workbench import cli
 from incontext.workbench.bench import Options, bench, pictures, solvespace, write_pictures
 from incontext.workbench.bench.options import cube
 from incontext.workbench.bench.running import in_words
+from incontext.workbench.bench.timing import speed
 
 HASTY = Limits(evaluations_per_dimension=20, restarts=1)
 SMALL = Options((cube, l_shape), noises=(0.0, 0.01), runs=1, limits=HASTY)
@@ -75,6 +77,23 @@ def test_a_box_needs_all_but_its_level_moves_and_two_sizes():
     # 24 numbers: two shifts and a turn on the ground, width and height are left free by one length.
     task = solvespace.independent_constraints(box())
     assert len(task.constraints) == 24 - 3 - 2
+
+
+def test_speed_tells_times_growth_and_ratios(monkeypatch):
+    of_speed = "incontext.workbench.bench.timing"
+    monkeypatch.setattr(f"{of_speed}.table", l_shape)
+    monkeypatch.setattr(f"{of_speed}.GROWING", (l_shape, organizer))
+    monkeypatch.setattr(f"{of_speed}.COMPARED", (l_shape,))
+    monkeypatch.setattr(f"{of_speed}.ENOUGH", 1)
+    lines = list(speed((cube,), 1))
+    for name in ("cube", "L", "organizer 6"):
+        rows = [line[len(name) :].split() for line in lines if line.startswith(f"{name} ")]
+        assert [row[1] for row in rows] == ["0", "0.5"]
+        assert all(float(ms) > 0 for row in rows for ms in row[-5:])
+    assert sum(line.startswith("growth") for line in lines) == 2
+    (paper,) = (line for line in lines if line.startswith("lau2010"))
+    assert "stopped" in paper
+    assert sum(line.startswith("slvs") for line in lines) == 1
 
 
 @pytest.mark.parametrize(("ms", "text"), [(0.5, "0.50 ms"), (2500.0, "2.50 s")])

@@ -13,5 +13,6 @@ from .accuracy import study
 from .options import Options
 from .pictures import write_pictures
 from .running import bench
+from .timing import speed
 
-__all__ = ["Options", "bench", "study", "write_pictures"]
+__all__ = ["Options", "bench", "speed", "study", "write_pictures"]

@@ -58,6 +58,8 @@ def _heading(options: Options) -> Iterator[str]:
             f"lau2010, lipson1996: {name}at most {limits.evaluations_per_dimension} evaluations a "
             f"dimension, {restarts} re-initialised."
         )
+    yield "So cut short they are faster than as printed, and wrong more often: `bench --speed`"
+    yield "gives lau2010 its whole budget at 52 vertices."
     yield f"They get {options.slow_runs} view from {options.many_vertices} vertices on."
     yield solvespace.HEADING
     missing = solvespace.missing()

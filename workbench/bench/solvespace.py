@@ -150,6 +150,13 @@ def measure(task: Task, shape: Shape, start: Array) -> tuple[float | None, float
     return shape_error(shape, {v(i): x for i, x in enumerate(X)}), ms
 
 
+def median_ms(shape: Shape, runs: int) -> float:
+    """Median time over some starts, ms."""
+    task = independent_constraints(shape)
+    starts = [displaced(shape, np.random.default_rng(run)) for run in range(runs)]
+    return float(np.median([measure(task, shape, start)[1] for start in starts]))
+
+
 def _solved(task: Task, start: Array) -> Array | None:
     import slvs
 

@@ -132,6 +132,7 @@ def _judge_lines(path: Path, *, is_photo: bool) -> int:
     from ..solver import load_sketch, solve
     from ..solver.errors import SketchError
     from ..solver.vanishing_points import traced_lines
+    from .straighten_command import lens_of_sketch
 
     if is_photo:
         raise SketchError("of a photo alone the size is asked", (), "--size 100")
@@ -152,7 +153,8 @@ def _judge_lines(path: Path, *, is_photo: bool) -> int:
         for edge in bundle.edges:
             line = traced.lines[edge]
             print(f"  {edge}: {line.off_px:.1f} px, {math.degrees(line.off_rad):.2f} degrees off")
-    for note in traced.notes:
+    lens = lens_of_sketch(graph, path)
+    for note in (*traced.notes, *(() if lens is None else lens.notes)):
         print(f"note: {note}")
     return 0
 

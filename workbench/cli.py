@@ -1,4 +1,4 @@
-"""The command line: solve, make, check, fit, marker, camera, bench.
+"""The command line: solve, make, check, fit, marker, camera, straighten, bench.
 
 Exit status: 0 all went well; 2 bad input (one line on stderr says what, where, what to try); 3 the
 solve ended badly (the solution file is still written); 4 it does not fit or not stand; 1 a fault
@@ -74,6 +74,7 @@ def _complain(text: str) -> None:
 
 def _parser() -> argparse.ArgumentParser:
     from .camera_commands import add_camera, add_marker
+    from .straighten_command import add_straighten
 
     parser = _Parser(
         prog="incontext",
@@ -90,6 +91,7 @@ def _parser() -> argparse.ArgumentParser:
     _add_fit(commands)
     add_marker(commands)
     add_camera(commands)
+    add_straighten(commands)
     _add_bench(commands)
     return parser
 
@@ -209,6 +211,7 @@ def _check(arguments: argparse.Namespace) -> int:
     from ..solver.solution import Status
     from ..solver.vanishing_points import traced_lines
     from .photos import photo_problem
+    from .straighten_command import lens_of_sketch
 
     graph = _load(arguments.sketch)
     found = [(str(f.severity), f.text) for f in findings(graph)]
@@ -217,7 +220,9 @@ def _check(arguments: argparse.Namespace) -> int:
         solution = solve(graph)
         if solution.status is not Status.CONVERGED:
             found.insert(0, ("error", solution.message))
-        found += [("warning", note) for note in traced_lines(graph, solution).notes]
+        lens = lens_of_sketch(graph, arguments.sketch)
+        notes = (*traced_lines(graph, solution).notes, *(() if lens is None else lens.notes))
+        found += [("warning", note) for note in notes]
     problem = photo_problem(graph, arguments.sketch)
     if problem:
         found.append(("warning", problem))

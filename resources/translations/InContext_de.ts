@@ -640,6 +640,10 @@
         <translation>Linie</translation>
     </message>
     <message>
+        <source>Lines on straight things bend by up to {} px ({}): the lens distorts, by {} % at the photo's corners: straighten the photo.</source>
+        <translation>Linien auf geraden Dingen biegen sich um bis zu {} px ({}): das Objektiv verzeichnet, um {} % in den Ecken des Fotos: das Foto begradigen.</translation>
+    </message>
+    <message>
         <source>Look at the 3D model from where the photo was taken, with the photo behind it; once more brings the old view back</source>
         <translation>Das 3D-Modell von dort sehen, wo das Foto gemacht wurde, mit dem Foto dahinter; nochmals bringt die alte Ansicht zurück</translation>
     </message>
@@ -774,6 +778,10 @@
     <message>
         <source>No straight edges are seen between the corners, which are taken as they are: place them well.</source>
         <translation>Zwischen den Ecken sind keine geraden Kanten zu sehen; sie gelten, wie sie sind: genau setzen.</translation>
+    </message>
+    <message>
+        <source>No straight thing is traced: draw lines along some, near the photo's borders, and make them construction (X).</source>
+        <translation>Kein gerades Ding ist nachgezeichnet: Linien entlang gerader Dinge ziehen, nahe am Rand des Fotos, und zu Hilfsgeometrie machen (X).</translation>
     </message>
     <message>
         <source>Not now</source>
@@ -1036,6 +1044,10 @@
         <translation>Abgebrochen; nichts wurde installiert.</translation>
     </message>
     <message>
+        <source>Straighten photo</source>
+        <translation>Foto begradigen</translation>
+    </message>
+    <message>
         <source>Surface of revolution</source>
         <translation>Drehfläche</translation>
     </message>
@@ -1050,6 +1062,10 @@
     <message>
         <source>Take suggestions</source>
         <translation>Vorschläge übernehmen</translation>
+    </message>
+    <message>
+        <source>Take the lens's distortion out of the photo: lines traced on straight things as construction tell how it bends them</source>
+        <translation>Die Verzeichnung des Objektivs aus dem Foto nehmen: als Hilfsgeometrie auf geraden Dingen nachgezeichnete Linien verraten, wie es sie biegt</translation>
     </message>
     <message>
         <source>Take the picture, or the picture file, that was copied last as the photo</source>
@@ -1122,6 +1138,10 @@
     <message>
         <source>The traced line {} is {} px ({} degrees) off the perspective of the rest: check it.</source>
         <translation>Die nachgezeichnete Linie {} liegt {} px ({} Grad) neben der Perspektive der übrigen: prüfen.</translation>
+    </message>
+    <message>
+        <source>The traced lines bend by {:.1f} px at most: there is nothing to straighten.</source>
+        <translation>Die nachgezeichneten Linien biegen sich um höchstens {:.1f} px: es gibt nichts zu begradigen.</translation>
     </message>
     <message>
         <source>The traced lines {} are too nearly parallel in the photo to tell where they meet: trace others further apart, or use a marker.</source>

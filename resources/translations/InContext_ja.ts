@@ -640,6 +640,10 @@
         <translation>線</translation>
     </message>
     <message>
+        <source>Lines on straight things bend by up to {} px ({}): the lens distorts, by {} % at the photo's corners: straighten the photo.</source>
+        <translation>まっすぐな物の線が最大 {} px 曲がっています（{}）。レンズの歪みは写真の隅で {} % です。写真の歪みを補正してください。</translation>
+    </message>
+    <message>
         <source>Look at the 3D model from where the photo was taken, with the photo behind it; once more brings the old view back</source>
         <translation>写真を撮った位置から、写真を背景に 3D モデルを見る。もう一度で元の表示に戻ります</translation>
     </message>
@@ -774,6 +778,10 @@
     <message>
         <source>No straight edges are seen between the corners, which are taken as they are: place them well.</source>
         <translation>角の間に直線の縁が見えないので、角はそのまま使います。正確に置いてください。</translation>
+    </message>
+    <message>
+        <source>No straight thing is traced: draw lines along some, near the photo's borders, and make them construction (X).</source>
+        <translation>まっすぐな物がなぞられていません。写真の端に近いまっすぐな物に沿って線を引き、補助線（X）にしてください。</translation>
     </message>
     <message>
         <source>Not now</source>
@@ -1036,6 +1044,10 @@
         <translation>中止しました。何もインストールされていません。</translation>
     </message>
     <message>
+        <source>Straighten photo</source>
+        <translation>写真の歪みを補正</translation>
+    </message>
+    <message>
         <source>Surface of revolution</source>
         <translation>回転体</translation>
     </message>
@@ -1050,6 +1062,10 @@
     <message>
         <source>Take suggestions</source>
         <translation>提案を採用</translation>
+    </message>
+    <message>
+        <source>Take the lens's distortion out of the photo: lines traced on straight things as construction tell how it bends them</source>
+        <translation>レンズの歪みを写真から取り除きます。まっすぐな物を補助線としてなぞると、曲がり方が分かります</translation>
     </message>
     <message>
         <source>Take the picture, or the picture file, that was copied last as the photo</source>
@@ -1122,6 +1138,10 @@
     <message>
         <source>The traced line {} is {} px ({} degrees) off the perspective of the rest: check it.</source>
         <translation>なぞった線 {} は他の線の遠近から {} px（{} 度）ずれています。確かめてください。</translation>
+    </message>
+    <message>
+        <source>The traced lines bend by {:.1f} px at most: there is nothing to straighten.</source>
+        <translation>なぞった線の曲がりは最大 {:.1f} px です。補正は必要ありません。</translation>
     </message>
     <message>
         <source>The traced lines {} are too nearly parallel in the photo to tell where they meet: trace others further apart, or use a marker.</source>

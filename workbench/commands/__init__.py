@@ -18,6 +18,7 @@ from .open_example import OpenExample
 from .paste_photo import PastePhoto
 from .print_marker import PrintMarker
 from .replace_photo import ReplacePhoto
+from .straighten_photo import StraightenPhoto
 from .view_through_photo import ViewThroughPhoto
 
 COMMANDS: tuple[type[Command], ...] = (
@@ -27,6 +28,7 @@ COMMANDS: tuple[type[Command], ...] = (
     OpenExample,
     EditSketch,
     ReplacePhoto,
+    StraightenPhoto,
     PrintMarker,
     ViewThroughPhoto,
     Lift,

@@ -161,6 +161,8 @@ class AnnotationPanel(QtGui.QWidget):
         """How well the lines that are traced on real things agree; each of them in the tooltip."""
         lift = None if self.controller is None else self.controller.lift
         words, each = ("", "") if lift is None else traced_texts.words_of(*lift)
+        if self.controller is not None:
+            words = f"{words} {self.controller.lens_watch.words}".strip()
         self._traced.setText(words)
         self._traced.setToolTip(each)
         self._traced.setVisible(bool(words))

@@ -5,20 +5,18 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from .. import host
-from ..canvas.photo import PhotoError, load_photo
-from ..canvas.qt import QtCore, QtGui
+from ..canvas.photo import PhotoError
+from ..canvas.qt import QtCore
 from ..canvas.questions import KnownRectangle
 from ..features import pipeline
 from ..features.known_rectangle import marker_text, rectangle_of, set_camera
 from ..problems import in_words, known_problems
-from .messages import tell
+from .messages import busy, tell
+from .photo_pixels import grey_photo
 
 if TYPE_CHECKING:
     from ...solver.graph import Photo
-    from ...solver.values import Array
     from ..canvas.view import SketchView
     from ..marker_finding import SeenCorners
 
@@ -69,29 +67,13 @@ class CameraFinding:
         from .installing import offer_to_install
 
         corners = None if told is None else told.corners_px
-        QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
         try:
-            grey = self._grey(photo)
-            return seen_corners(photo, grey, corners)
+            with busy():
+                grey = grey_photo(self._obj.Photo, photo)
+                return seen_corners(photo, grey, corners)
         except ModuleNotFoundError as error:
             missing = error
-        finally:
-            QtGui.QApplication.restoreOverrideCursor()
         return seen_corners(photo, grey, corners) if offer_to_install(missing) else None
-
-    def _grey(self, photo: Photo) -> Array | None:
-        """The photo's brightness, at the size that the sketch knows."""
-        if not self._obj.Photo:
-            return None
-        image = load_photo(self._obj.Photo).convertToFormat(QtGui.QImage.Format_Grayscale8)
-        if (image.width(), image.height()) != (photo.width_px, photo.height_px):
-            image = image.scaled(
-                QtCore.QSize(photo.width_px, photo.height_px),
-                QtCore.Qt.IgnoreAspectRatio,
-                QtCore.Qt.SmoothTransformation,
-            )
-        rows = np.frombuffer(image.constBits(), dtype=np.uint8).reshape(-1, image.bytesPerLine())
-        return rows[:, : image.width()].astype(np.float64)
 
     def _settle(self, photo: Photo, seen: SeenCorners, told: KnownRectangle | None) -> None:
         """Ask for the size where it is not known, and write the camera."""

@@ -30,6 +30,7 @@ from .messages import tell
 from .photo_plane import PhotoPlane
 from .shape_preview import ShapePreview
 from .sketch_tab import SketchTab
+from .straightening import LensWatch
 from .wording import in_language
 
 if TYPE_CHECKING:
@@ -70,6 +71,7 @@ class SketchController:
         self.photo_loading.failed.connect(host.report)
         self.lifting.lifted.connect(self._show_lift)
         self.camera_finding = CameraFinding(obj, self.tab.view)
+        self.lens_watch = LensWatch(obj, self.tab.view, lambda: self.on_news())
         self._show_photo()
         self.show_outcome()
 

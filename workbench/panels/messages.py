@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+
 import FreeCADGui
 
 from .. import host
-from ..canvas.qt import QtGui
+from ..canvas.qt import QtCore, QtGui
 
 
 def tell(words: str) -> None:
@@ -14,3 +17,21 @@ def tell(words: str) -> None:
     QtGui.QMessageBox.warning(
         FreeCADGui.getMainWindow(), host.translate("InContext", "Modeling in Context"), words
     )
+
+
+def mention(words: str) -> None:
+    """Say how something went; also in the report view."""
+    host.note(words)
+    QtGui.QMessageBox.information(
+        FreeCADGui.getMainWindow(), host.translate("InContext", "Modeling in Context"), words
+    )
+
+
+@contextmanager
+def busy() -> Iterator[None]:
+    """Show a waiting pointer meanwhile."""
+    QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
+    try:
+        yield
+    finally:
+        QtGui.QApplication.restoreOverrideCursor()

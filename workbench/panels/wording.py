@@ -45,6 +45,8 @@ SENTENCES = (
     "The traced line {} is {} px ({} degrees) off the perspective of the rest: check it.",
     "The traced lines {} are too nearly parallel in the photo to tell where they meet: trace "
     "others further apart, or use a marker.",
+    "Lines on straight things bend by up to {} px ({}): the lens distorts, by {} % at the photo's "
+    "corners: straighten the photo.",
 )
 #: The words between the last two ids of a list.
 JOINTS = ("and", "or")

@@ -1,0 +1,115 @@
+"""Lens distortion: said where straight things bend, and taken out."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+from PIL import Image
+from rectangles import SMALL, camera_at, corners_mm, seen
+
+from incontext.solver import load_sketch, save_sketch
+from incontext.solver.graph import Ellipse, Photo, SketchGraph
+from incontext.workbench.cli import main
+from incontext.workbench.lens import Lens, lens_of, straight_picture, straightened_sketch
+
+CAMERA = camera_at(50, -75, 560, 900, photo=SMALL)
+PAPER = (300.0, 280.0)
+MIDDLE, HALF = np.array([400.0, 300.0]), 500.0
+
+
+def drawn_corners(bend, size, rng):
+    """Where a person clicks corners in a photo that bends so."""
+    lens = Lens(MIDDLE, HALF, bend, 0.0, {})
+    return lens.bent(CAMERA.project(corners_mm(size))) + rng.uniform(-1.5, 1.5, (4, 2))
+
+
+def lines_of(bend, rng):
+    found = {}
+    for name, size in (("paper", PAPER), ("marker", (100.0, 100.0))):
+        c = drawn_corners(bend, size, rng)
+        found |= {f"{name}{k}": (c[k], c[(k + 1) % 4]) for k in range(4)}
+    return found
+
+
+def test_bent_and_straightened_are_inverse():
+    points = np.random.default_rng(1).uniform([0, 0], [800, 600], (50, 2))
+    for k in (-0.1, 0.0, 0.15):
+        lens = Lens(MIDDLE, HALF, k, 0.0, {})
+        np.testing.assert_allclose(lens.straightened(lens.bent(points)), points, atol=1e-8)
+
+
+@pytest.mark.parametrize("bend", [0.0, 0.04, -0.05])
+def test_the_distortion_is_found_to_a_tenth_of_a_percent(bend):
+    rng = np.random.default_rng(3)
+    lens = lens_of(seen(CAMERA, SMALL, rng, paper_mm=PAPER, bend=bend), lines_of(bend, rng))
+    assert lens.k == pytest.approx(bend, abs=max(4 * lens.sigma, 1e-3))
+    assert lens.sigma < 1e-3
+    assert lens.distorts == (bend != 0)
+    assert bool(lens.notes) == (bend != 0)
+
+
+def test_a_small_marker_in_the_middle_tells_nothing():
+    rng = np.random.default_rng(3)
+    grey = seen(CAMERA, SMALL, rng, paper_mm=PAPER, bend=0.04)
+    lines = {n: ends for n, ends in lines_of(0.04, rng).items() if n.startswith("marker")}
+    lens = lens_of(grey, lines)
+    assert not lens.distorts
+    assert lens_of(np.full((600, 800), 99.0), lines) is None
+
+
+def test_the_straight_picture_is_that_of_a_straight_lens():
+    rng = np.random.default_rng(5)
+    bent = seen(CAMERA, SMALL, rng, paper_mm=PAPER, noise=0.0, bend=0.05)
+    straight = seen(CAMERA, SMALL, rng, paper_mm=PAPER, noise=0.0)
+    lens = Lens(MIDDLE, HALF, 0.05, 0.0, {})
+    found = straight_picture(np.stack([bent] * 3, axis=-1).astype(np.uint8), lens)
+    off = np.abs(found[100:500, 150:650, 1].astype(float) - straight[100:500, 150:650])
+    # Light falls by the place in the picture, so flat parts differ by a few levels.
+    assert np.quantile(off, 0.99) < 20
+    before = np.abs(bent[100:500, 150:650] - straight[100:500, 150:650])
+    assert off.mean() < 0.5 * before.mean()
+
+
+def test_the_sketch_moves_with_its_photo():
+    lens = Lens(MIDDLE, HALF, 0.05, 0.0, {})
+    round_ = Ellipse(((100.0, 100.0), (140.0, 100.0)), ((120.0, 90.0), (120.0, 110.0)))
+    graph = SketchGraph(
+        photo=Photo("a.jpg", 800, 600),
+        vertices={"v1": (400.0, 300.0), "v2": (0.0, 0.0)},
+        circles={"c1": round_},
+        camera=CAMERA,
+    )
+    moved = straightened_sketch(graph, lens, "b.jpg")
+    assert moved.vertices["v1"] == (400.0, 300.0)
+    np.testing.assert_allclose(moved.vertices["v2"], [-20.0, -15.0])
+    middle = np.mean(moved.circles["c1"].a, axis=0)
+    np.testing.assert_allclose(middle, np.mean(moved.circles["c1"].b, axis=0))
+    assert moved.camera is None
+    assert moved.photo.file == "b.jpg"
+
+
+def test_the_command_writes_a_straight_photo_and_sketch(tmp_path, capsys):
+    rng = np.random.default_rng(3)
+    grey = seen(CAMERA, SMALL, rng, paper_mm=PAPER, bend=0.05)
+    Image.fromarray(grey.astype(np.uint8)).save(tmp_path / "desk.jpg", quality=95)
+    c = drawn_corners(0.05, PAPER, rng)
+    graph = SketchGraph(
+        photo=Photo("desk.jpg", 800, 600),
+        vertices={f"v{k}": tuple(p) for k, p in enumerate(c.tolist())},
+        edges={f"e{k}": (f"v{k}", f"v{(k + 1) % 4}") for k in range(4)},
+        construction=("e0", "e1", "e2", "e3"),
+    )
+    save_sketch(graph, tmp_path / "desk.sketch.json")
+    out = tmp_path / "straight.sketch.json"
+    main(["check", str(tmp_path / "desk.sketch.json")])
+    assert "the lens distorts" in capsys.readouterr().out
+    assert main(["straighten", str(tmp_path / "desk.sketch.json"), "-o", str(out)]) == 0
+    assert "the lens distorts" in capsys.readouterr().out
+    body = json.loads(out.read_text())
+    assert (tmp_path / body["photo"]["file"]).is_file()
+    found = np.array([*load_sketch(out).vertices.values()])
+    np.testing.assert_allclose(found, CAMERA.project(corners_mm(PAPER)), atol=3)
+    assert main(["straighten", str(out), "-o", str(tmp_path / "again.sketch.json")]) == 0
+    assert "nothing to straighten" in capsys.readouterr().out

@@ -1,0 +1,121 @@
+"""The lens's distortion of one tab's photo: noticed, and taken out."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import host
+from ..canvas.photo import PhotoError
+from ..canvas.qt import QtCore
+from ..features import pipeline
+from ..features.known_rectangle import marker_text, rectangle_of
+from ..problems import known_problems
+from .photo_pixels import colour_photo, grey_photo, save_colours
+from .wording import in_language
+
+if TYPE_CHECKING:
+    from ...solver.graph import SketchGraph
+    from ..canvas.view import SketchView
+    from ..lens import Lens
+
+#: Lines are looked at in the photo once the hand has rested so long.
+REST_MS = 800
+
+
+class LensWatch:
+    """Says so where the traced lines bend.
+
+    Parameters
+    ----------
+    obj : FreeCAD document object
+        The photo sketch.
+    view : SketchView
+    told : callable
+        Called where `words` are new.
+    """
+
+    def __init__(self, obj: Any, view: SketchView, told: Callable[[], None]) -> None:
+        self._obj, self._view, self._told = obj, view, told
+        self._seen: tuple[object, ...] = ()
+        #: A sentence, or nothing.
+        self.words = ""
+        self._timer = QtCore.QTimer(view)
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(REST_MS)
+        self._timer.timeout.connect(self.look)
+        view.graph_shown.connect(self._look_soon)
+        self._look_soon(view.graph)
+
+    def _look_soon(self, graph: SketchGraph) -> None:
+        if graph.construction or self.words:
+            self._timer.start()
+
+    def look(self) -> None:
+        """Look at the lines in the photo now."""
+        graph = self._view.graph
+        traced = [graph.edges.get(e, ()) for e in graph.construction]
+        seen = (self._obj.Photo, tuple(graph.vertices.get(v) for ends in traced for v in ends))
+        if self._view.is_in_hand or seen == self._seen:
+            return
+        self._seen = seen
+        try:
+            lens = lens_of_object(self._obj, graph)
+        except (PhotoError, *known_problems()):
+            # Of the photo itself something is said where it is shown.
+            lens = None
+        before, self.words = self.words, ""
+        if lens is not None:
+            self.words = " ".join(map(in_language, lens.notes))
+        if self.words != before:
+            self._told()
+
+
+def lens_of_object(obj: Any, graph: SketchGraph) -> Lens | None:
+    """The lens of a photo sketch, by its traced lines and the sides of what tells its camera."""
+    from ..lens import lens_of, traced_ends
+
+    lines = traced_ends(graph)
+    told = rectangle_of(obj.Marker)
+    if told is not None:
+        corners = np.array(told[0])
+        lines |= {f"{k + 1}": (corners[k], corners[(k + 1) % 4]) for k in range(4)}
+    grey = grey_photo(obj.Photo, graph.photo) if lines and graph.photo is not None else None
+    return None if grey is None else lens_of(grey, lines, np.array(graph.principal_point_px))
+
+
+def straighten(obj: Any, lens: Lens) -> None:
+    """Put the straightened photo under a sketch, as one step to undo; the sketch moves with it."""
+    from ...solver.serialise import sketch_to_text
+    from ..lens import straight_picture, straightened_sketch
+
+    graph = pipeline.graph_of(obj.Sketch)
+    assert graph.photo is not None
+    with tempfile.TemporaryDirectory(prefix="incontext-") as folder:
+        path = Path(folder, f"{Path(graph.photo.file or 'photo').stem}-straight.jpg")
+        save_colours(straight_picture(colour_photo(obj.Photo, graph.photo), lens), str(path))
+        moved, marker = _with_camera(obj, straightened_sketch(graph, lens, path.name), lens, path)
+        with host.transaction(obj.Document, host.translate("InContext", "Straighten photo")):
+            obj.Photo = str(path)
+            obj.Marker = marker
+            obj.Sketch = sketch_to_text(moved)
+            obj.Document.recompute()
+
+
+def _with_camera(obj: Any, graph: SketchGraph, lens: Lens, path: Path) -> tuple[SketchGraph, str]:
+    """The sketch with the camera that the rectangle tells in the straight photo."""
+    from dataclasses import replace
+
+    from ..marker_finding import camera_of_corners, seen_corners
+
+    told = rectangle_of(obj.Marker)
+    if told is None or graph.photo is None:
+        return graph, ""
+    corners = lens.straightened(np.array(told[0]))
+    seen = seen_corners(graph.photo, grey_photo(str(path), graph.photo), corners)
+    view = camera_of_corners(graph.photo, seen, told[1]).view
+    return replace(graph, camera=view.camera), marker_text(view.corners_px.tolist(), told[1])

@@ -31,6 +31,8 @@ from .values import Array, IntArray
 
 #: Views that are looked at closely, and guesses that are told.
 MAX_VIEWS, MAX_GUESSES = 12, 4
+#: Of a tangle nothing is guessed.
+MAX_EDGES = 600
 #: A line further than this from an axis (sine) is along none; wider while the view is coarse.
 COARSE, FINE = 0.15, 0.05
 REFINEMENTS = 12
@@ -53,7 +55,7 @@ def guesses(graph: SketchGraph, problem: Problem) -> Iterator[SketchGraph]:
     problem : Problem
         Of the graph as it is.
     """
-    if not len(problem.ends):
+    if not 0 < len(problem.ends) <= MAX_EDGES:
         return
     drawn = _drawn_lines(problem)
     told: list[frozenset[tuple[int, int]]] = []

@@ -22,7 +22,7 @@ import time
 import warnings
 from collections import Counter
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from multiprocessing import get_context
 from pathlib import Path
 
@@ -38,7 +38,13 @@ from incontext.solver.serialise import (
     solution_from_text,
     solution_to_text,
 )
-from incontext.solver.synthetic import LID, SHAPES, photograph, photograph_turned
+from incontext.solver.synthetic import (
+    LID,
+    SHAPES,
+    photograph,
+    photograph_turned,
+    with_traced_box,
+)
 
 MAX_SECONDS = 5.0
 MAX_MEMORY_BYTES = 1_000_000_000
@@ -212,9 +218,14 @@ def good_sketch(rng: random.Random) -> str:
         return rng.choice(EXAMPLES).read_text(encoding="utf-8")
     if kind < 0.3:
         return sketch_to_text(photograph_turned(LID, numbers)[0])
-    shape = rng.choice(SHAPES[:9] if rng.random() < 0.9 else SHAPES)()
+    # The table has more than half of all vertices: it takes its time.
+    shape = rng.choice(SHAPES[:10] if rng.random() < 0.9 else SHAPES)()
     noise = rng.choice([0.0, 0.005, 0.02, 0.3])
-    return sketch_to_text(photograph(shape, numbers, noise=noise).graph)
+    photo = photograph(shape, numbers, noise=noise)
+    if rng.random() < 0.1:
+        photo = with_traced_box(photo, numbers, aligned=rng.random() < 0.5)
+    camera = photo.camera if rng.random() < 0.1 else None
+    return sketch_to_text(replace(photo.graph, camera=camera))
 
 
 def bent_sketch(rng: random.Random) -> str:
@@ -288,6 +299,31 @@ BENDS = (
 )  # fmt: skip
 
 
+def huge_sketch(rng: random.Random) -> str:
+    """Thousands of edges in a tangle, some of them annotated."""
+    n = rng.choice([1000, 5000, 19_999])
+    pairs = {
+        "path": lambda k: (k, k + 1),
+        "star": lambda k: (0, k + 1),
+        "ladder": lambda k: (k, k + 2),
+        "rays": lambda k: (k % 40, 40 + k // 40),
+        "web": lambda k: (k + 2, k * 7 % (k + 2)),
+    }[rng.choice(["path", "star", "ladder", "rays", "web"])]
+    edges = {f"e{k}": [f"v{i}" for i in pairs(k)] for k in range(n)}
+    edges = {e: ends for e, ends in edges.items() if ends[0] != ends[1]}
+    names = sorted({v for ends in edges.values() for v in ends})
+    body: dict = {
+        "format": "incontext/sketch",
+        "version": 1,
+        "photo": wild_photo(rng),
+        "vertices": {v: [rng.uniform(0, 1600), rng.uniform(0, 1200)] for v in names},
+        "edges": edges,
+        "circles": {},
+    }
+    body["annotations"] = wild_annotations(rng, body)
+    return json.dumps(body)
+
+
 def broken_sketch(rng: random.Random) -> str:
     """A good or wild file with values replaced, keys dropped or doubled, or bytes flipped."""
     text = rng.choice([good_sketch, wild_sketch])(rng)
@@ -349,7 +385,7 @@ def replace_somewhere(rng: random.Random, body: dict) -> None:
         return
 
 
-KINDS = {"wild": wild_sketch, "bent": bent_sketch, "broken": broken_sketch}
+KINDS = {"wild": wild_sketch, "bent": bent_sketch, "broken": broken_sketch, "huge": huge_sketch}
 
 
 @dataclass(frozen=True)
@@ -367,7 +403,7 @@ def case_text(case: int) -> tuple[str, str]:
     """The kind and the text of a case."""
     rng = random.Random(case)
     # Broken files are refused in no time: most cases can be such ones.
-    (kind,) = rng.choices(list(KINDS), weights=[1, 1, 14])
+    (kind,) = rng.choices(list(KINDS), weights=[1, 1, 14, 0.02])
     return kind, KINDS[kind](rng)
 
 

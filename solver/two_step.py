@@ -37,9 +37,12 @@ from .diagnosis import (
     UNSURE_SIZE_SIGMA,
     Freedoms,
     Reading,
+    busiest_vertex,
     freedoms,
+    most_helpful_corner,
+    says_directions,
     size_of,
-    size_sigmas,
+    standard_errors,
     unmet_annotations,
     without,
 )
@@ -47,7 +50,7 @@ from .effort import Effort
 from .errors import SketchError
 from .faces import find_faces
 from .graph import SketchGraph
-from .lifting import Lifted, lift, lift_near
+from .lifting import UNSURE_FOCAL_SIGMA, Lifted, lift, lift_near
 from .necker import fits_as_well, twin_of
 from .on_found_faces import solve_on_found_faces
 from .placed import put_in_world
@@ -66,6 +69,8 @@ from .world import ground_indices
 ON_A_LINE = 1e-6
 #: Said where the standard errors of sizes are large.
 UNSURE = " Its sizes are unsure: mark more, give a length, or trace something real in the photo."
+#: Said where the drawing does not tell the focal length, and something else is said first.
+UNTOLD_FOCAL = " The drawing does not tell the focal length: a usual one is assumed."
 #: A camera this part of its height off is worth a word.
 NEARLY_AGREE = 1e-3
 #: A drawing further than this from every shape (image units, RMS) was not understood.
@@ -280,12 +285,15 @@ def _describe(
     wished = blamed is not None and blamed.wished
     # Away from the drawing its slopes tell nothing; before the wish nothing was left open.
     found = freedoms(lifted.full, pose, [*core.vertices, *core.circles])
-    open_ = Freedoms(0, ()) if wished else found
+    open_ = Freedoms.none() if wished else found
     extent = rows_of(vertices)
     if circles:
         extent = np.vstack([extent, *(c.center_mm for c in circles.values())])
     conflicts = unmet_annotations(residuals, size_of(extent))
-    sigmas = size_sigmas(lifted.full, pose) if not open_.count else np.zeros(0)
+    errors = None if open_.count else standard_errors(lifted.full, pose)
+    sigmas = np.zeros(0) if errors is None else errors.lengths
+    if errors is not None and errors.log_focal > UNSURE_FOCAL_SIGMA:
+        lifted = replace(lifted, focal_assumed=_is_expected(lifted))
     unsure = bool(np.sqrt(np.mean(sigmas**2)) > UNSURE_SIZE_SIGMA) if len(sigmas) else False
     status, message = _verdict(core, lifted, open_, conflicts, wished=wished)
     if status is Status.CONVERGED and unsure:
@@ -297,6 +305,8 @@ def _describe(
         status = status if blamed.held else Status.CONFLICTING
     elif status is Status.NOT_CONVERGED:
         conflicts = ()
+    if lifted.focal_assumed and "focal length" not in message:
+        message += UNTOLD_FOCAL
     return Solution(
         graph,
         status,
@@ -319,6 +329,12 @@ def _describe(
             unsure=unsure,
         ),
     )
+
+
+def _is_expected(lifted: Lifted) -> bool:
+    """Whether the usual focal length had a say, as it has unless the drawing is exact."""
+    told = lifted.problem.log_focal_prior is not None and not lifted.focal_assumed
+    return lifted.focal_assumed or not (told or lifted.full.prior is None)
 
 
 def _off_camera(off_mm: float, camera: Camera) -> str:
@@ -370,12 +386,7 @@ def _verdict(
             f"{_and(conflicts[:4])} cannot hold together with the rest: check the worst first.",
         )
     if open_.count:
-        s = "" if open_.count == 1 else "s"
-        return (
-            Status.UNDERDETERMINED,
-            f"{open_.count} freedom{s} left: add a right angle, parallel or ground vertex "
-            f"at {_and(open_.loose[:4])}.",
-        )
+        return Status.UNDERDETERMINED, _what_would_help(core, lifted, open_)
     misfit = float(np.sqrt(lifted.minimum.cost / max(1, len(lifted.full.coordinate))))
     if not lifted.minimum.converged or (misfit > LOST_MISFIT and not wished):
         return (
@@ -409,6 +420,23 @@ def _verdict(
             "Solved, with a usual focal length assumed: the drawing does not tell it.",
         )
     return (Status.CONVERGED, "Solved.")
+
+
+def _what_would_help(core: SketchGraph, lifted: Lifted, open_: Freedoms) -> str:
+    """How much is open, and which annotation would fix most of it."""
+    left = f"{open_.count} freedom{'' if open_.count == 1 else 's'} left"
+    first = busiest_vertex(core)
+    if not says_directions(core) and first is not None:
+        return (
+            f"{left}: nothing is said to be square or parallel; begin with right angles at {first}."
+        )
+    x = lifted.minimum.x
+    corner = most_helpful_corner(core, lifted.full.positions(x) @ x.R.T, open_)
+    words = f"{left}: add a right angle, parallel or ground vertex at {_and(open_.loose[:4])}."
+    if corner is None:
+        return words
+    v, e, f = corner
+    return f"{words} If {e} and {f} are square at {v}, saying so would help most."
 
 
 def _and(ids: tuple[str, ...]) -> str:

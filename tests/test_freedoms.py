@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import numpy as np
 import pytest
-from scenes import SHAPES, box, photograph
+from scenes import SHAPES, Views, box, l_shape, photograph
 
 from incontext.solver import solve
+from incontext.solver.annotations import EqualLength, Ground, Length, RightAngle
 from incontext.solver.energies import ENERGIES
 from incontext.solver.problem import leftover_constraints
 from incontext.solver.solution import Status
@@ -110,3 +112,45 @@ def test_a_complete_sketch_has_no_freedom():
     solution = solve(graph)
     assert free_and_loose(graph, solution) == (0, set())
     assert solution.report.degrees_of_freedom == 0
+
+
+def kept_of(photo, *kinds):
+    said = {k: a for k, a in photo.graph.annotations.items() if isinstance(a, kinds)}
+    return replace(photo.graph, annotations=said)
+
+
+def test_what_says_no_direction_asks_for_right_angles():
+    photo = photograph(box(), np.random.default_rng(0), noise=0.005)
+    equal = {"q": EqualLength(("e0", "e2")), "r": EqualLength(("e1", "e3"))}
+    for graph in (kept_of(photo), replace(photo.graph, annotations=equal)):
+        solution = solve(graph)
+        assert solution.status is Status.UNDERDETERMINED
+        assert "nothing is said to be square or parallel; begin with right angles at v0" in (
+            solution.message
+        )
+        assert "focal length" in solution.message
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_the_corner_that_is_named_takes_a_freedom_away(seed):
+    rng = np.random.default_rng(seed)
+    photo = photograph(l_shape(), rng, noise=0.005)
+    graph = kept_of(photo, Ground, Length)
+    for id_, a in photo.graph.annotations.items():
+        before = solve(graph)
+        if "would help most" in before.message:
+            break
+        graph = replace(graph, annotations={**graph.annotations, id_: a})
+    e, f, v = re.search(r"If (\w+) and (\w+) are square at (\w+)", before.message).groups()
+    more = {**graph.annotations, "named": RightAngle(v, (e, f))}
+    after = solve(replace(graph, annotations=more))
+    assert after.report.degrees_of_freedom < before.report.degrees_of_freedom
+
+
+def test_an_untold_focal_length_is_said_whatever_else_is():
+    views = Views(elevation_deg=(0.5, 1.0), azimuth_deg=(-90.2, -89.8))
+    for seed in range(4):
+        photo = photograph(box(), np.random.default_rng(seed), noise=0.005, views=views)
+        solution = solve(photo.graph)
+        assert solution.report.focal_assumed
+        assert "focal length" in solution.message

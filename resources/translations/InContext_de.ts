@@ -560,6 +560,10 @@
         <translation>Wie breit Finger sein sollen</translation>
     </message>
     <message>
+        <source>If {} and {} are square at {}, saying so would help most.</source>
+        <translation>Am meisten hilft die Angabe, dass {} und {} an {} rechtwinklig sind, wenn es so ist.</translation>
+    </message>
+    <message>
         <source>Import sketch</source>
         <translation>Skizze importieren</translation>
     </message>
@@ -1008,8 +1012,20 @@
         <translation>Gelöst ohne {}.</translation>
     </message>
     <message>
+        <source>Solved, but a second shape, with near and far exchanged, fits as well: mark what stands on the ground, or ask for the twin.</source>
+        <translation>Gelöst, aber eine zweite Form, nah und fern vertauscht, passt ebenso gut: bitte markieren, was auf dem Boden steht, oder den Zwilling verlangen.</translation>
+    </message>
+    <message>
         <source>Solved, but seen from below: check the ground vertices.</source>
         <translation>Gelöst, aber von unten gesehen: bitte die Bodenpunkte prüfen.</translation>
+    </message>
+    <message>
+        <source>Solved, but the drawing is missed by {} px: check the annotations against it.</source>
+        <translation>Gelöst, aber die Zeichnung wird um {} px verfehlt: bitte die Angaben mit ihr vergleichen.</translation>
+    </message>
+    <message>
+        <source>Solved, but {} contradicts the drawing, which is missed by {} px.</source>
+        <translation>Gelöst, aber {} widerspricht der Zeichnung, die um {} px verfehlt wird.</translation>
     </message>
     <message>
         <source>Solved, but {} contradicts the drawing: with it the drawing is missed by {} px, without it by {} px.</source>
@@ -1018,6 +1034,10 @@
     <message>
         <source>Solved, with a usual focal length assumed: the drawing does not tell it.</source>
         <translation>Gelöst, mit einer üblichen Brennweite: die Zeichnung verrät sie nicht.</translation>
+    </message>
+    <message>
+        <source>Solved, with what is drawn nearly square taken to be square: mark right angles where it is.</source>
+        <translation>Gelöst; was nahezu rechtwinklig gezeichnet ist, gilt als rechtwinklig: bitte die rechten Winkel markieren.</translation>
     </message>
     <message>
         <source>Solved.</source>
@@ -1090,6 +1110,10 @@
     <message>
         <source>The drawing and the annotations are too far apart: check the annotations.</source>
         <translation>Zeichnung und Angaben liegen zu weit auseinander: bitte die Angaben prüfen.</translation>
+    </message>
+    <message>
+        <source>The drawing does not tell the focal length: a usual one is assumed.</source>
+        <translation>Die Zeichnung verrät die Brennweite nicht: eine übliche wird angenommen.</translation>
     </message>
     <message>
         <source>The grid shows once the sketch is solved</source>
@@ -1482,8 +1506,16 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>Noch {} Freiheit: bitte einen rechten Winkel, eine Parallele oder einen Bodenpunkt bei {} angeben.</translation>
     </message>
     <message>
+        <source>{} freedom left: nothing is said to be square or parallel; begin with right angles at {}.</source>
+        <translation>Noch {} Freiheit: nichts ist als rechtwinklig oder parallel angegeben; bitte mit rechten Winkeln an {} beginnen.</translation>
+    </message>
+    <message>
         <source>{} freedoms left: add a right angle, parallel or ground vertex at {}.</source>
         <translation>Noch {} Freiheiten: bitte einen rechten Winkel, eine Parallele oder einen Bodenpunkt bei {} angeben.</translation>
+    </message>
+    <message>
+        <source>{} freedoms left: nothing is said to be square or parallel; begin with right angles at {}.</source>
+        <translation>Noch {} Freiheiten: nichts ist als rechtwinklig oder parallel angegeben; bitte mit rechten Winkeln an {} beginnen.</translation>
     </message>
     <message>
         <source>{} had been opened or saved without this addon and had lost what makes them follow the sketch; they have it again</source>

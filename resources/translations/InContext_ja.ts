@@ -560,6 +560,10 @@
         <translation>ほぞの幅</translation>
     </message>
     <message>
+        <source>If {} and {} are square at {}, saying so would help most.</source>
+        <translation>{} と {} が {} で直角なら、それを付けると最も効果があります。</translation>
+    </message>
+    <message>
         <source>Import sketch</source>
         <translation>スケッチを読み込む</translation>
     </message>
@@ -1008,8 +1012,20 @@
         <translation>{} なしで解きました。</translation>
     </message>
     <message>
+        <source>Solved, but a second shape, with near and far exchanged, fits as well: mark what stands on the ground, or ask for the twin.</source>
+        <translation>解けましたが、遠近を入れ替えた別の形も同じくらい合います。地面にある点を指定するか、もう一方の形を求めてください。</translation>
+    </message>
+    <message>
         <source>Solved, but seen from below: check the ground vertices.</source>
         <translation>解けましたが下から見ています。地面の頂点を確認してください。</translation>
+    </message>
+    <message>
+        <source>Solved, but the drawing is missed by {} px: check the annotations against it.</source>
+        <translation>解けましたが、線画と {} px ずれています。注釈を線画と見比べてください。</translation>
+    </message>
+    <message>
+        <source>Solved, but {} contradicts the drawing, which is missed by {} px.</source>
+        <translation>解けましたが、{} は線画と矛盾し、線画と {} px ずれています。</translation>
     </message>
     <message>
         <source>Solved, but {} contradicts the drawing: with it the drawing is missed by {} px, without it by {} px.</source>
@@ -1018,6 +1034,10 @@
     <message>
         <source>Solved, with a usual focal length assumed: the drawing does not tell it.</source>
         <translation>標準的な焦点距離を仮定して解けました(図からは決まりません)。</translation>
+    </message>
+    <message>
+        <source>Solved, with what is drawn nearly square taken to be square: mark right angles where it is.</source>
+        <translation>解けました。ほぼ直角に描かれた所は直角とみなしました。直角の所に直角を付けてください。</translation>
     </message>
     <message>
         <source>Solved.</source>
@@ -1090,6 +1110,10 @@
     <message>
         <source>The drawing and the annotations are too far apart: check the annotations.</source>
         <translation>図と注釈が離れすぎています。注釈を確認してください。</translation>
+    </message>
+    <message>
+        <source>The drawing does not tell the focal length: a usual one is assumed.</source>
+        <translation>線画からは焦点距離が分からないため、一般的な値を仮定しました。</translation>
     </message>
     <message>
         <source>The grid shows once the sketch is solved</source>
@@ -1482,8 +1506,16 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>自由度が {} 残っています。{} に直角、平行、地面の指定を加えてください。</translation>
     </message>
     <message>
+        <source>{} freedom left: nothing is said to be square or parallel; begin with right angles at {}.</source>
+        <translation>自由度が {} 残っています。直角も平行も指定されていません。まず {} に直角を付けてください。</translation>
+    </message>
+    <message>
         <source>{} freedoms left: add a right angle, parallel or ground vertex at {}.</source>
         <translation>自由度が {} 残っています。{} に直角、平行、地面の指定を加えてください。</translation>
+    </message>
+    <message>
+        <source>{} freedoms left: nothing is said to be square or parallel; begin with right angles at {}.</source>
+        <translation>自由度が {} 残っています。直角も平行も指定されていません。まず {} に直角を付けてください。</translation>
     </message>
     <message>
         <source>{} had been opened or saved without this addon and had lost what makes them follow the sketch; they have it again</source>

@@ -4,7 +4,8 @@ from .again import pose_near
 from .blame import Reading, contradicts, convict
 from .clashes import clashing_annotations, find_clash, without
 from .freedoms import Freedoms, freedoms
-from .precision import UNSURE_SIZE_SIGMA, focal_sigma, size_sigmas
+from .helpful import busiest_vertex, most_helpful_corner, says_directions
+from .precision import UNSURE_SIZE_SIGMA, StandardErrors, focal_sigma, standard_errors
 from .suspects import (
     MANY_UNKNOWNS,
     Relaxed,
@@ -21,7 +22,9 @@ __all__ = [
     "Freedoms",
     "Reading",
     "Relaxed",
+    "StandardErrors",
     "beginnings",
+    "busiest_vertex",
     "clashing_annotations",
     "contradicts",
     "convict",
@@ -29,11 +32,13 @@ __all__ = [
     "focal_sigma",
     "freedoms",
     "leftover_suspects",
+    "most_helpful_corner",
     "pose_near",
     "relax",
+    "says_directions",
     "size_of",
-    "size_sigmas",
     "spring_stiffness",
+    "standard_errors",
     "unmet_annotations",
     "without",
 ]

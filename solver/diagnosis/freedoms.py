@@ -26,10 +26,26 @@ NULL_TOLERANCE = 1e-8
 
 @dataclass(frozen=True, slots=True)
 class Freedoms:
-    """How many freedoms are left, and the vertices that they move."""
+    """How many freedoms are left, and the vertices that they move.
+
+    Parameters
+    ----------
+    count : int
+    loose : tuple of ids
+        Vertices and circles that move against the largest part that moves as one.
+    moves : (f, n, 3) array
+        Moves of all points in the camera's frame that span the freedoms and the overall size, as
+        large as the object's distance.
+    """
 
     count: int
     loose: tuple[str, ...]
+    moves: Array
+
+    @classmethod
+    def none(cls) -> Freedoms:
+        """Nothing is left open."""
+        return cls(0, (), np.zeros((0, 0, 3)))
 
 
 def freedoms(full: FullProblem, x: Pose, names: list[str]) -> Freedoms:
@@ -45,7 +61,7 @@ def freedoms(full: FullProblem, x: Pose, names: list[str]) -> Freedoms:
     at = full.evaluate(x)
     if safe_inverse(at.A + at.H.T @ at.H if len(at.h) else at.A) is not None:
         # Nothing but the overall size, which is held there, can be free.
-        return Freedoms(0, ())
+        return Freedoms.none()
     _, J = full.jacobian(x)
     _, H = full.constraints(x)
     # Constraints weigh as much as the drawing: only whether they act matters here. The gauge is
@@ -54,8 +70,10 @@ def freedoms(full: FullProblem, x: Pose, names: list[str]) -> Freedoms:
     scale = np.maximum(np.linalg.norm(stacked, axis=0), 1e-12)
     null = _null_space(stacked / scale) / scale
     count = max(0, len(null) - 1)
-    loose = _loose(full, x, null, names) if count else ()
-    return Freedoms(count, loose)
+    if not count:
+        return Freedoms.none()
+    moves = _moves(full, x, null)
+    return Freedoms(count, _loose(full, x, moves, names), moves)
 
 
 def _null_space(A: Array) -> Array:
@@ -74,16 +92,20 @@ def _null_space(A: Array) -> Array:
     return np.asarray(vectors[:, values <= 1e-13 * max(float(values[-1]), 1e-300)].T)
 
 
-def _loose(full: FullProblem, x: Pose, null: Array, names: list[str]) -> tuple[str, ...]:
-    """The vertices that move against the largest part that grows and shrinks as one."""
+def _moves(full: FullProblem, x: Pose, null: Array) -> Array:
+    """Moves (f, n, 3) in the camera's frame: own ones, the turn about the middle, and the dolly."""
     X = full.positions(x) @ x.R.T
     middle = X.mean(axis=0)
-    # In the camera's frame: own moves, the turn about the middle, and the dolly of a new focal
-    # length.
-    motion = null[:, 4:][:, full.coordinate] @ x.R.T  # (freedoms, n, 3)
-    motion += cross(null[:, None, :3], X - middle)
-    motion[..., 2] -= np.exp(x.log_focal) * middle[2] * null[:, 3, None]
-    growth = (motion[..., 2] / X[:, 2]).T
+    moves = null[:, 4:][:, full.coordinate] @ x.R.T + cross(null[:, None, :3], X - middle)
+    moves[..., 2] -= np.exp(x.log_focal) * middle[2] * null[:, 3, None]
+    size = np.abs(moves).max(axis=(1, 2), initial=1e-300) / float(np.abs(X[:, 2]).max())
+    return np.asarray(moves / size[:, None, None])
+
+
+def _loose(full: FullProblem, x: Pose, moves: Array, names: list[str]) -> tuple[str, ...]:
+    """The vertices that move against the largest part that grows and shrinks as one."""
+    depth = full.positions(x) @ x.R[2]
+    growth = (moves[..., 2] / depth).T
     # Freedoms of all sizes count alike.
     U, s, _ = np.linalg.svd(growth, full_matrices=False)
     steps = np.round(U[:, s > NULL_TOLERANCE * max(float(s[0]), 1e-300)], 5)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
-from ..full import FullProblem, Pose
+from ..full import DRAWING_SIGMA, FullProblem, Pose
 from ..projection import N_CAMERA
 from ..values import Array, IntArray
 from .definite import safe_inverse
@@ -41,8 +43,24 @@ def focal_sigma(full: FullProblem, x: Pose) -> float:
     return float(np.exp(x.log_focal) * np.sqrt(variance))
 
 
-def size_sigmas(full: FullProblem, x: Pose) -> Array:
-    """Standard errors of the edges' lengths relative to the mean of all, in parts, (m,).
+@dataclass(frozen=True, slots=True, eq=False)
+class StandardErrors:
+    """How sure a result is.
+
+    Parameters
+    ----------
+    lengths : (m,) array
+        Of the edges' lengths relative to the mean of all, in parts.
+    log_focal : float
+        As far as the drawing alone tells it, whatever was expected beforehand.
+    """
+
+    lengths: Array
+    log_focal: float
+
+
+def standard_errors(full: FullProblem, x: Pose) -> StandardErrors:
+    """Standard errors at a solution.
 
     The error of a drawn position is taken to be what people usually have, corrected by the misfit
     of this drawing: with s0 for how people draw, counted nu times,
@@ -51,31 +69,47 @@ def size_sigmas(full: FullProblem, x: Pose) -> Array:
     """
     ends = full.problem.ends
     if not len(ends):
-        return np.zeros(0)
+        return StandardErrors(np.zeros(0), 0.0)
     at = full.evaluate(x)
     inverse = None if len(at.h) else safe_inverse(at.A)
     if inverse is not None:
         n_free, spread = len(at.A), _relative_spread(full, x, inverse)
+        cofactor = float(inverse[3, 3])
     else:
         N = tangent(at.H)
-        n_free, spread = N.shape[1], _spread_on_constraints(full, x, at.A, N)
+        n_free = N.shape[1]
+        spread, cofactor = _spread_on_constraints(full, x, at.A, N)
     points = np.vstack([full.problem.points, full.problem.circles.centres])
     usual = (USUAL_SIGMA * float(np.linalg.norm(np.ptp(points, axis=0)))) ** 2 / 2
     spare = max(0, 2 * full.n_vertices - n_free + 1)
     misfit = full.merit(x, 0.0)
     variance = (USUAL_COUNT * usual + misfit) / (USUAL_COUNT + spare)
-    return np.asarray(np.sqrt(variance * spread))
+    log_focal = float(np.sqrt(variance * _of_the_drawing_alone(full, x, cofactor)))
+    return StandardErrors(np.asarray(np.sqrt(variance * spread)), log_focal)
 
 
-def _spread_on_constraints(full: FullProblem, x: Pose, A: Array, N: Array) -> Array:
-    """Variances of the relative log lengths for unit noise, the unknowns moving along N."""
+def _of_the_drawing_alone(full: FullProblem, x: Pose, cofactor: float) -> float:
+    """The variance of the log focal length for unit noise, without what was expected of it."""
+    # d log f = -f d kappa
+    variance = float(np.exp(2 * x.log_focal)) * cofactor
+    if full.prior is None:
+        return variance
+    left = 1 - variance * (DRAWING_SIGMA / full.prior.sigma) ** 2
+    return variance / left if left > 1e-9 else float("inf")
+
+
+def _spread_on_constraints(full: FullProblem, x: Pose, A: Array, N: Array) -> tuple[Array, float]:
+    """Variances of the relative log lengths and of kappa for unit noise, moving along N."""
     values, vectors = np.linalg.eigh(N.T @ A @ N)
     kept = values > 1e-13 * float(values.max())
+    share = N[3] @ vectors
+    told = float(np.sum(share[~kept] ** 2)) < 1e-6
+    cofactor = float(np.sum(share[kept] ** 2 / values[kept])) if told else float("inf")
     by_length = _by_log_length(full, x) @ N @ vectors
     by_length -= by_length.mean(axis=0)
     if float(np.abs(by_length[:, ~kept]).max(initial=0.0)) > 1e-6 * float(np.abs(by_length).max()):
-        return np.full(len(by_length), np.inf)
-    return np.asarray((by_length[:, kept] ** 2 / values[kept]).sum(axis=1))
+        return np.full(len(by_length), np.inf), cofactor
+    return np.asarray((by_length[:, kept] ** 2 / values[kept]).sum(axis=1)), cofactor
 
 
 def _relative_spread(full: FullProblem, x: Pose, inverse: Array) -> Array:

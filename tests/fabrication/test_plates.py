@@ -154,11 +154,22 @@ def spaces(model, side: str) -> m3.Manifold:
     return m3.Manifold.batch_boolean(bodies, m3.OpType.Add)
 
 
-@pytest.mark.parametrize("seed", [*range(12), 13, 15, 17, 41, 45, 50, 59, 61, 83])
+@pytest.mark.parametrize("seed", [*range(12), 13, 15, 17, 41, 45, 50, 59, 61, 83, 170])
 def test_random_bodies(seed):
     """Shapes nobody would draw; each plate is whole, none is in another, no wall has a hole."""
     model, side = shapes.polycube(seed), SIDES[seed % 3]
     check_laws(make_plates(model, PlateSettings(side=side)), spaces(model, side).volume())
+
+
+@pytest.mark.parametrize(
+    ("seed", "side", "void"),
+    [(26, "inside", 1.5 * 1.5 * 3), (32, "middle", 1.5**3), (128, "middle", 1.5**3)],
+)
+def test_walls_that_touch_in_one_point_leave_what_a_square_cut_must(seed, side, void):
+    """Around the point both want a column of which each has a part alone: one part stays empty."""
+    model = shapes.polycube(seed)
+    plates = make_plates(model, PlateSettings(side=side))
+    check_laws(plates, spaces(model, side).volume() - void)
 
 
 @settings(max_examples=15, deadline=None, derandomize=True)

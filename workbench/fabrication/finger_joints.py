@@ -16,6 +16,8 @@ import itertools
 import math
 from collections.abc import Iterable, Mapping, Sequence
 
+from shapely.geometry import box
+
 from ...solver.values import Array
 from .cells import Cells, Run, meetings
 from .joints import Joint, JointPlan, Meeting
@@ -254,7 +256,7 @@ def _half_lap(
     orders = ((first, second), (second, first))
     opens = [not goes_on[low][1] and not goes_on[high][0] for low, high in orders]
     for whole, other in ((second, first), (first, second)):
-        if not any(opens) and all(goes_on[other]):
+        if not any(opens) and all(goes_on[other]) and _stays_whole(run, other, walls):
             ends = (run.low_mm, run.high_mm)
             return [_lap(run, walls, ends, whole, other, (play / 2, play / 2))]
     low, high = orders[opens.index(True)] if any(opens) else orders[0]
@@ -263,6 +265,17 @@ def _half_lap(
         _lap(run, walls, (run.low_mm, middle), low, high, (0.0, play / 4)),
         _lap(run, walls, (middle, run.high_mm), high, low, (play / 4, 0.0)),
     ]
+
+
+def _stays_whole(run: Run, wall: int, walls: Sequence[Wall]) -> bool:
+    """Whether a wall keeps hanging together when the other one goes through it all along a run."""
+    other = walls[run.two if wall == run.one else run.one]
+    low, high = [0.0] * 3, [0.0] * 3
+    low[other.axis], high[other.axis] = other.low_mm, other.high_mm
+    low[run.axis], high[run.axis] = run.low_mm, run.high_mm
+    u, v = walls[wall].plane_axes
+    rest = walls[wall].region.difference(box(low[u], low[v], high[u], high[v]))
+    return bool(rest.geom_type == "Polygon")
 
 
 def _lap(

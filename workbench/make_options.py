@@ -91,7 +91,7 @@ def _add_cutting(group: argparse._ArgumentGroup) -> None:
         metavar="SHOP",
         default="plain",
         help="layers and colours: plain (default), cut-only, epilog, lightburn, meerk40t, ponoko, "
-        "or your own .json file",
+        "simple (DXF R12, single lines), or your own .json file",
     )
 
 

@@ -7,6 +7,7 @@ import math
 import re
 import zlib
 from collections import Counter
+from itertools import pairwise
 
 import ezdxf
 import numpy as np
@@ -52,13 +53,46 @@ def test_files_have_the_layers_of_the_preset(name, sheets):
     preset = load_preset(name)
     document = ezdxf.read(io.StringIO(dxf_bytes(sheets, preset).decode("cp1252")))
     drawn = Counter(e.dxf.layer for e in document.modelspace())
-    paths = Counter(preset.layers[path.purpose].name for path in draw(sheets, preset).paths)
+    paths: Counter[str] = Counter()
+    for path in draw(sheets, preset).paths:
+        lines = len(path.points) - (0 if path.closed else 1)
+        paths[preset.layers[path.purpose].name] += lines if preset.lines else 1
     assert drawn == paths
     for purpose, layer in preset.layers.items():
         if layer.shown and layer.name != "0":
             assert document.layers.get(layer.name).dxf.color == layer.aci
         shown = f'id="{purpose}"'.encode() in svg_bytes(sheets, preset)
         assert shown == layer.shown
+
+
+@pytest.mark.parametrize("lines", [False, True])
+def test_r12_for_old_programs(tmp_path, sheets, lines):
+    path = tmp_path / "old.json"
+    path.write_text(json.dumps({"dxf": "R12", "lines": lines, "layers": {}}))
+    drawing = draw(sheets, load_preset(str(path)))
+    text = dxf_bytes(sheets, load_preset(str(path))).decode("cp1252")
+    document = ezdxf.read(io.StringIO(text))
+    assert document.dxfversion == "AC1009"
+    assert "LWPOLYLINE" not in text
+    kinds = {entity.dxftype() for entity in document.modelspace()}
+    assert kinds == ({"LINE"} if lines else {"POLYLINE"})
+    segments = [
+        (e.dxf.layer, a, b)
+        for e in document.modelspace()
+        for a, b in (
+            [(e.dxf.start, e.dxf.end)]
+            if lines
+            else pairwise([*e.points(), *([next(iter(e.points()))] if e.is_closed else [])])
+        )
+    ]
+    for layer in ("CUT_OUTER", "CUT_INNER", "ENGRAVE"):
+        drawn = sum(
+            shapely.LineString([*p.points, *(p.points[:1] if p.closed else [])]).length
+            for p in drawing.paths
+            if p.purpose == layer
+        )
+        read = sum(a.distance(b) for name, a, b in segments if name == layer)
+        assert read == pytest.approx(drawn, rel=1e-9)
 
 
 def test_a_persons_own_preset(tmp_path, sheets):
@@ -80,6 +114,8 @@ def test_a_persons_own_preset(tmp_path, sheets):
         ('{"layers": {"CUT_OUTER": {"colour": 3}}}', "something unknown of a layer .CUT_OUTER"),
         ('{"layers": {"CUT_OUTER": {"rgb": "red"}}}', "wrong name or colour .CUT_OUTER"),
         ('{"layers": {"CUT_OUTER": {"aci": 0}}}', "wrong name or colour .CUT_OUTER"),
+        ('{"layers": {}, "dxf": "R13"}', "a DXF that we do not write"),
+        ('{"layers": {}, "lines": 1}', "a DXF that we do not write"),
     ],
 )
 def test_a_preset_that_cannot_be(tmp_path, text, words):

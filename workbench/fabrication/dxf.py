@@ -1,6 +1,7 @@
 """The drawing as DXF R2000: closed LWPOLYLINEs in real millimetres, the same bytes every time.
 
-No SPLINE, no INSERT: programs read them differently. Holes stand before outlines.
+No SPLINE, no INSERT: programs read them differently. Holes stand before outlines. A preset may
+ask for R12 (POLYLINE, no units in the file) or for single lines.
 """
 
 from __future__ import annotations
@@ -8,12 +9,15 @@ from __future__ import annotations
 import io
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from itertools import pairwise
+from typing import Any
 
 from ezdxf._options import options
 from ezdxf.document import Drawing as Document
 from ezdxf.filemanagement import new
+from ezdxf.layouts.layout import Modelspace
 
-from .drawing import Drawing, draw
+from .drawing import Drawing, Path, draw
 from .presets import DEFAULT, Preset, load_preset
 from .sheets import Sheet
 
@@ -41,26 +45,34 @@ def dxf_bytes(sheets: Sequence[Sheet], preset: Preset | None = None) -> bytes:
 
 
 def _document(drawing: Drawing, preset: Preset) -> Document:
-    document = new("R2000")
-    document.header["$INSUNITS"] = 4
-    document.header["$MEASUREMENT"] = 1
+    document = new(preset.dxf)
+    if preset.dxf != "R12":
+        document.header["$INSUNITS"] = 4
+        document.header["$MEASUREMENT"] = 1
     for purpose, layer in preset.layers.items():
         if layer.shown and layer.name not in document.layers:
             document.layers.add(layer.name, color=layer.aci)
             # Neither the border of the stock nor the scale bar is to be cut or printed.
-            if purpose in ("SHEET", "SCALE"):
+            if purpose in ("SHEET", "SCALE") and preset.dxf != "R12":
                 document.layers.get(layer.name).dxf.plot = 0
     space = document.modelspace()
     for path in drawing.paths:
         layer = preset.layers[path.purpose]
-        attributes = {"layer": layer.name, "color": layer.aci} if layer.name == "0" else {}
-        space.add_lwpolyline(
-            path.points.tolist(),
-            close=path.closed,
-            dxfattribs=attributes or {"layer": layer.name},
-        )
+        attributes = {"layer": layer.name} | ({"color": layer.aci} if layer.name == "0" else {})
+        _add(space, path, attributes, preset)
     space.reset_extents((*drawing.low_mm, 0.0), (*drawing.high_mm, 0.0))
     return document
+
+
+def _add(space: Modelspace, path: Path, attributes: dict[str, Any], preset: Preset) -> None:
+    points = path.points.tolist()
+    if preset.lines:
+        for start, end in pairwise([*points, *(points[:1] if path.closed else [])]):
+            space.add_line(start, end, dxfattribs=attributes)
+    elif preset.dxf == "R12":
+        space.add_polyline2d(points, close=path.closed, dxfattribs=attributes)
+    else:
+        space.add_lwpolyline(points, close=path.closed, dxfattribs=attributes)
 
 
 @contextmanager

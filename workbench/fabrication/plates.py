@@ -114,6 +114,12 @@ def joined_plates(model: Model, settings: PlateSettings = _DEFAULTS) -> Joined:
         Naming the faces that are not flat or too close together, or the joint that cannot be.
     """
     faces = {id_: face for id_, face in model.faces.items() if face.included}
+    if not faces and model.turned:
+        raise FabricationError(
+            "a surface of revolution has no flat face to make a plate of",
+            model.turned,
+            "a print: a shelled solid, --print",
+        )
     if not faces:
         raise FabricationError("no face to make a plate of", (), "include a face")
     plan = JointPlan(settings.finger_mm, settings.play_mm, settings.joints)

@@ -18,6 +18,7 @@ from .errors import SettingsError
 FOLDER = Path(__file__).resolve().parents[2] / "resources" / "presets" / "shops"
 #: What paths are for, in the order in which a machine should work.
 PURPOSES = ("ENGRAVE", "CUT_INNER", "CUT_OUTER", "SHEET", "SCALE")
+DXF_VERSIONS = ("R2000", "R12")
 DEFAULT = "plain"
 _REMEDY = 'like {"name": "My shop", "layers": {"CUT_OUTER": {"name": "Cut", "rgb": "#ff0000"}}}'
 
@@ -37,11 +38,23 @@ class Layer:
 
 @dataclass(frozen=True, slots=True)
 class Preset:
-    """The layers of a shop or program, by purpose."""
+    """What a shop or program wants in its files.
+
+    Parameters
+    ----------
+    id, name : str
+    layers : mapping of purpose to Layer
+    dxf : str
+        One of `DXF_VERSIONS`; old programs read R12 only.
+    lines : bool
+        True makes every path of the DXF single lines, for programs that know no polylines.
+    """
 
     id: str
     name: str
     layers: Mapping[str, Layer]
+    dxf: str = "R2000"
+    lines: bool = False
 
 
 #: Where a preset says nothing.
@@ -99,7 +112,14 @@ def load_preset(name: str) -> Preset:
     layers = {
         purpose: _layer(path.name, purpose, body["layers"].get(purpose, {})) for purpose in PURPOSES
     }
-    return Preset(path.stem, str(body.get("name", path.stem)), layers)
+    dxf, lines = body.get("dxf", DXF_VERSIONS[0]), body.get("lines", False)
+    if dxf not in DXF_VERSIONS or type(lines) is not bool:
+        raise SettingsError(
+            f"the preset {path.name} asks for a DXF that we do not write",
+            (),
+            'dxf "R2000" or "R12", lines true or false',
+        )
+    return Preset(path.stem, str(body.get("name", path.stem)), layers, dxf, lines)
 
 
 def _layer(file: str, purpose: str, body: Any) -> Layer:

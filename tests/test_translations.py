@@ -80,3 +80,36 @@ def test_compiled_file_is_that_of_its_source(language):
     messages = RELEASE["messages_in"](FOLDER / f"InContext_{language}.ts")
     compiled = (FOLDER / f"InContext_{language}.qm").read_bytes()
     assert compiled == RELEASE["qm_of"](messages), "run resources/translations/release.py"
+
+
+def sentences_of(path: Path) -> Iterator[str]:
+    """Sentences that a module of the solver puts together, a number in each of their places."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    skipped = no_texts(tree)
+    for node in ast.walk(tree):
+        if isinstance(node, ast.JoinedStr):
+            words = "".join(v.value if isinstance(v, ast.Constant) else "7" for v in node.values)
+        elif isinstance(node, ast.Constant) and id(node) not in skipped:
+            words = node.value if isinstance(node.value, str) else ""
+        else:
+            continue
+        if words.endswith(".") and " " in words.strip():
+            yield words.strip()
+
+
+@pytest.mark.parametrize(
+    "name", ["two_step", "on_found_faces", "vanishing_points", "marker", "blaming"]
+)
+def test_what_the_solver_says_of_a_sketch_is_known_to_the_wording(name, monkeypatch):
+    from incontext.workbench import host
+    from incontext.workbench.panels.wording import in_language
+
+    monkeypatch.setattr(host, "translate", lambda _, text: f"<{text}>")
+    found = list(sentences_of(ROOT / "solver" / f"{name}.py"))
+    assert found
+    missing = "with it the drawing is missed by 7 px, without it by 7 px"
+    # What stands in the places of some are the module's own clauses, or an ending.
+    clauses = {": 7.": f": {missing}.", "hold7:": "hold:", "freedom7": "freedoms"}
+    for place, clause in clauses.items():
+        found = [words.replace(place, clause) for words in found]
+    assert [words for words in found if in_language(words).count("<") < words.count(". ") + 1] == []

@@ -772,6 +772,10 @@
         <translation>Noch keine Fläche bekannt: einen Kantenzug mit rechten Winkeln schließen oder Flächen nennen</translation>
     </message>
     <message>
+        <source>No faces were looked for: {}.</source>
+        <translation>Es wurden keine Flächen gesucht: {}.</translation>
+    </message>
+    <message>
         <source>No hollow at all</source>
         <translation>Gar nicht hohl</translation>
     </message>
@@ -786,6 +790,10 @@
     <message>
         <source>No straight thing is traced: draw lines along some, near the photo's borders, and make them construction (X).</source>
         <translation>Kein gerades Ding ist nachgezeichnet: Linien entlang gerader Dinge ziehen, nahe am Rand des Fotos, und zu Hilfsgeometrie machen (X).</translation>
+    </message>
+    <message>
+        <source>No such face was found: {}.</source>
+        <translation>Eine solche Fläche wurde nicht gefunden: {}.</translation>
     </message>
     <message>
         <source>Not now</source>
@@ -1116,6 +1124,10 @@
         <translation>Die Zeichnung verrät die Brennweite nicht: eine übliche wird angenommen.</translation>
     </message>
     <message>
+        <source>The given lengths put the camera {} mm ({} %) off its known height: check the length, the camera, and what stands on the ground.</source>
+        <translation>Die angegebenen Längen versetzen die Kamera um {} mm ({} %) gegenüber ihrer bekannten Höhe: bitte Länge, Kamera und was am Boden steht prüfen.</translation>
+    </message>
+    <message>
         <source>The grid shows once the sketch is solved</source>
         <translation>Das Raster erscheint, sobald die Skizze gelöst ist</translation>
     </message>
@@ -1200,6 +1212,10 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
     <message>
         <source>Tile the PDF on A4, A3 or letter pages</source>
         <translation>Das PDF auf A4-, A3- oder Letter-Seiten verteilen</translation>
+    </message>
+    <message>
+        <source>Too many copies ({} and so on): take some symmetry planes away.</source>
+        <translation>Zu viele Kopien ({} und so weiter): bitte einige Symmetrieebenen wegnehmen.</translation>
     </message>
     <message>
         <source>True where no length says how big the object is: its longest edge is 100 mm then</source>
@@ -1298,12 +1314,44 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>Den Hohlkörper als STL, 3MF und STEP in einen Ordner schreiben</translation>
     </message>
     <message>
+        <source>a closed set of faces</source>
+        <translation>geschlossene Flächen</translation>
+    </message>
+    <message>
+        <source>a joint names no edge</source>
+        <translation>eine Verbindung nennt keine Kante</translation>
+    </message>
+    <message>
+        <source>a larger printer, or several parts</source>
+        <translation>ein größerer Drucker oder mehrere Teile</translation>
+    </message>
+    <message>
+        <source>a larger sheet</source>
+        <translation>eine größere Tafel</translation>
+    </message>
+    <message>
         <source>a lifted model</source>
         <translation>ein gehobenes Modell</translation>
     </message>
     <message>
+        <source>a notch or hole has no room for a cutter of {} mm</source>
+        <translation>eine Kerbe oder ein Loch hat keinen Platz für einen Fräser von {} mm</translation>
+    </message>
+    <message>
+        <source>a number from {} to {} mm</source>
+        <translation>eine Zahl von {} bis {} mm</translation>
+    </message>
+    <message>
+        <source>a number from {} to {} {}</source>
+        <translation>eine Zahl von {} bis {} {}</translation>
+    </message>
+    <message>
         <source>a photo sketch</source>
         <translation>eine Fotoskizze</translation>
+    </message>
+    <message>
+        <source>a plate of {} x {} mm does not fit on a sheet of {} x {} mm with a margin of {} mm</source>
+        <translation>eine Platte von {} x {} mm passt nicht auf eine Tafel von {} x {} mm mit {} mm Rand</translation>
     </message>
     <message>
         <source>a plate set</source>
@@ -1314,8 +1362,64 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>einen Hohlkörper</translation>
     </message>
     <message>
+        <source>a side that runs from circle to circle</source>
+        <translation>eine Seite, die von Kreis zu Kreis läuft</translation>
+    </message>
+    <message>
+        <source>a thicker wall</source>
+        <translation>eine dickere Wand</translation>
+    </message>
+    <message>
+        <source>a thicker wall, or a printer with a finer nozzle</source>
+        <translation>eine dickere Wand oder ein Drucker mit feinerer Düse</translation>
+    </message>
+    <message>
+        <source>a thickness above 0 mm</source>
+        <translation>eine Dicke über 0 mm</translation>
+    </message>
+    <message>
+        <source>a thickness of {} mm</source>
+        <translation>eine Dicke von {} mm</translation>
+    </message>
+    <message>
+        <source>a thinner cutter, or wider fingers</source>
+        <translation>ein dünnerer Fräser oder breitere Zinken</translation>
+    </message>
+    <message>
+        <source>a thinner or thicker wall</source>
+        <translation>eine dünnere oder dickere Wand</translation>
+    </message>
+    <message>
+        <source>a thinner wall</source>
+        <translation>eine dünnere Wand</translation>
+    </message>
+    <message>
+        <source>a thinner wall, or partitions that stand at right angles to the walls they meet</source>
+        <translation>eine dünnere Wand oder Trennwände, die senkrecht auf ihren Wänden stehen</translation>
+    </message>
+    <message>
+        <source>a thinner wall, or the other side</source>
+        <translation>eine dünnere Wand oder die andere Seite</translation>
+    </message>
+    <message>
         <source>and</source>
         <translation>und</translation>
+    </message>
+    <message>
+        <source>another folder, or check its permissions</source>
+        <translation>ein anderer Ordner, oder seine Rechte prüfen</translation>
+    </message>
+    <message>
+        <source>another format</source>
+        <translation>ein anderes Format</translation>
+    </message>
+    <message>
+        <source>butt</source>
+        <translation>stumpfer Stoß</translation>
+    </message>
+    <message>
+        <source>cannot write {}: {}</source>
+        <translation>{} lässt sich nicht schreiben: {}</translation>
     </message>
     <message>
         <source>choose a lifted model</source>
@@ -1334,6 +1438,10 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>bitte Platten oder einen Hohlkörper wählen</translation>
     </message>
     <message>
+        <source>close a loop of edges that lies in one plane, or include a face</source>
+        <translation>einen ebenen Kantenzug schließen oder eine Fläche aufnehmen</translation>
+    </message>
+    <message>
         <source>cut it first; the notch in which the tab sits well says which play to set</source>
         <translation>zuerst schneiden; die Kerbe, in der der Zapfen gut sitzt, sagt das richtige Spiel</translation>
     </message>
@@ -1342,12 +1450,44 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>Schneidmaschine</translation>
     </message>
     <message>
+        <source>delete it or draw it again</source>
+        <translation>löschen oder neu zeichnen</translation>
+    </message>
+    <message>
+        <source>draw the face's edges in order</source>
+        <translation>die Kanten der Fläche der Reihe nach zeichnen</translation>
+    </message>
+    <message>
+        <source>draw the face's edges in order, without crossing</source>
+        <translation>die Kanten der Fläche der Reihe nach und ohne Kreuzung zeichnen</translation>
+    </message>
+    <message>
+        <source>draw the missing face; leave it out</source>
+        <translation>die fehlende Fläche zeichnen; weglassen</translation>
+    </message>
+    <message>
+        <source>faces that meet in their edges only</source>
+        <translation>Flächen, die sich nur in ihren Kanten treffen</translation>
+    </message>
+    <message>
+        <source>fingers cannot hold here: {}</source>
+        <translation>Zinken können hier nicht halten: {}</translation>
+    </message>
+    <message>
+        <source>flat faces beside a surface of revolution cannot be printed as one</source>
+        <translation>ebene Flächen neben einem Drehkörper lassen sich nicht als eines drucken</translation>
+    </message>
+    <message>
         <source>follows from the drawing and the other dimensions</source>
         <translation>folgt aus der Zeichnung und den anderen Maßen</translation>
     </message>
     <message>
         <source>grid</source>
         <translation>Raster</translation>
+    </message>
+    <message>
+        <source>include a face</source>
+        <translation>eine Fläche aufnehmen</translation>
     </message>
     <message>
         <source>it does not stand</source>
@@ -1372,6 +1512,58 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
     <message>
         <source>key {} in the sketch</source>
         <translation>Taste {} in der Skizze</translation>
+    </message>
+    <message>
+        <source>lay it on another side</source>
+        <translation>auf eine andere Seite legen</translation>
+    </message>
+    <message>
+        <source>leave one of the faces out</source>
+        <translation>eine der Flächen weglassen</translation>
+    </message>
+    <message>
+        <source>leave them out, or sketch them on their own</source>
+        <translation>weglassen oder für sich skizzieren</translation>
+    </message>
+    <message>
+        <source>list the faces in the sketch</source>
+        <translation>die Flächen in der Skizze aufführen</translation>
+    </message>
+    <message>
+        <source>more than two outer faces meet in these edges</source>
+        <translation>mehr als zwei Außenflächen treffen sich in diesen Kanten</translation>
+    </message>
+    <message>
+        <source>more than two plates meet in one edge</source>
+        <translation>mehr als zwei Platten treffen sich in einer Kante</translation>
+    </message>
+    <message>
+        <source>more than {} pairs of edges meet</source>
+        <translation>mehr als {} Kantenpaare treffen sich</translation>
+    </message>
+    <message>
+        <source>no face to make a plate of</source>
+        <translation>keine Fläche für eine Platte</translation>
+    </message>
+    <message>
+        <source>no face to make anything of</source>
+        <translation>keine Fläche, aus der sich etwas machen ließe</translation>
+    </message>
+    <message>
+        <source>no two plates meet there</source>
+        <translation>dort treffen sich keine zwei Platten</translation>
+    </message>
+    <message>
+        <source>no wall of {} mm can be made</source>
+        <translation>eine Wand von {} mm lässt sich nicht herstellen</translation>
+    </message>
+    <message>
+        <source>no {} joint can be made where {}</source>
+        <translation>es lässt sich keine Verbindung „{}“ herstellen, wo {}</translation>
+    </message>
+    <message>
+        <source>nothing is left of the walls</source>
+        <translation>von den Wänden bleibt nichts übrig</translation>
     </message>
     <message>
         <source>nothing is traced on the photo to fit to</source>
@@ -1410,6 +1602,18 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>Platten oder einen Hohlkörper</translation>
     </message>
     <message>
+        <source>revolution {} is not solved</source>
+        <translation>der Drehkörper {} ist nicht gelöst</translation>
+    </message>
+    <message>
+        <source>right-angle annotations, or split the faces</source>
+        <translation>rechte Winkel angeben oder die Flächen teilen</translation>
+    </message>
+    <message>
+        <source>right-angle annotations, so that it becomes flat</source>
+        <translation>rechte Winkel angeben, damit sie eben wird</translation>
+    </message>
+    <message>
         <source>said to be right in the sketch</source>
         <translation>in der Skizze als rechter Winkel angegeben</translation>
     </message>
@@ -1434,12 +1638,132 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>Slicer, mit Einheiten</translation>
     </message>
     <message>
+        <source>solve the sketch again</source>
+        <translation>die Skizze noch einmal lösen</translation>
+    </message>
+    <message>
         <source>the Python package {0} is missing; install it with FreeCAD's Addon Manager, or with: {1} -m pip install --target {2} {0}</source>
         <translation>das Python-Paket {0} fehlt; bitte mit FreeCADs Addon-Manager installieren oder mit: {1} -m pip install --target {2} {0}</translation>
     </message>
     <message>
+        <source>the STEP file could not be written</source>
+        <translation>die STEP-Datei ließ sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>the face has no area</source>
+        <translation>die Fläche hat keinen Inhalt</translation>
+    </message>
+    <message>
+        <source>the face has no thickness</source>
+        <translation>die Fläche hat keine Dicke</translation>
+    </message>
+    <message>
+        <source>the face is {} mm off its plane</source>
+        <translation>die Fläche weicht {} mm von ihrer Ebene ab</translation>
+    </message>
+    <message>
+        <source>the faces do not close: these edges lie open</source>
+        <translation>die Flächen schließen nicht: diese Kanten liegen offen</translation>
+    </message>
+    <message>
+        <source>the faces do not enclose anything</source>
+        <translation>die Flächen umschließen nichts</translation>
+    </message>
+    <message>
+        <source>the faces enclose no solid</source>
+        <translation>die Flächen umschließen keinen Körper</translation>
+    </message>
+    <message>
+        <source>the joint's {} is {} mm</source>
+        <translation>bei der Verbindung ist {} {} mm</translation>
+    </message>
+    <message>
+        <source>the joints would cut the plate into pieces</source>
+        <translation>die Verbindungen würden die Platte zerteilen</translation>
+    </message>
+    <message>
+        <source>the mesh holds {} mm3 instead of {}</source>
+        <translation>das Netz umschließt {} mm³ statt {}</translation>
+    </message>
+    <message>
+        <source>the outline crosses itself</source>
+        <translation>der Umriss schneidet sich selbst</translation>
+    </message>
+    <message>
+        <source>the plates would lie in one another</source>
+        <translation>die Platten lägen ineinander</translation>
+    </message>
+    <message>
+        <source>the plates would lie in one another: their faces are {} mm apart</source>
+        <translation>die Platten lägen ineinander: ihre Flächen sind {} mm voneinander entfernt</translation>
+    </message>
+    <message>
+        <source>the preset {} cannot be read: {}</source>
+        <translation>die Vorgabe {} ist nicht lesbar: {}</translation>
+    </message>
+    <message>
+        <source>the print is {} mm, larger than the printer's {} mm</source>
+        <translation>der Druck misst {} mm, mehr als die {} mm des Druckers</translation>
+    </message>
+    <message>
+        <source>the profile crosses itself or the axis</source>
+        <translation>das Profil schneidet sich selbst oder die Achse</translation>
+    </message>
+    <message>
+        <source>the sketch is not solved: {}</source>
+        <translation>die Skizze ist nicht gelöst: {}</translation>
+    </message>
+    <message>
+        <source>the surface is not closed</source>
+        <translation>die Oberfläche ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>the surface is not closed: {}</source>
+        <translation>die Oberfläche ist nicht geschlossen: {}</translation>
+    </message>
+    <message>
+        <source>the wall of {} mm is thinner than the least wall of {} mm</source>
+        <translation>die Wand von {} mm ist dünner als die Mindestwand von {} mm</translation>
+    </message>
+    <message>
+        <source>the wall of {} mm is too thick for this profile</source>
+        <translation>die Wand von {} mm ist für dieses Profil zu dick</translation>
+    </message>
+    <message>
+        <source>the wall of {} mm is too thick: the shape measures {} mm here</source>
+        <translation>die Wand von {} mm ist zu dick: die Form misst hier {} mm</translation>
+    </message>
+    <message>
+        <source>the walls make {} solids instead of one</source>
+        <translation>die Wände ergeben {} Körper statt einem</translation>
+    </message>
+    <message>
+        <source>the {} is {} {}</source>
+        <translation>{}: {} {}</translation>
+    </message>
+    <message>
+        <source>there is no joint {}</source>
+        <translation>es gibt keine Verbindung {}</translation>
+    </message>
+    <message>
         <source>there is no picture in the clipboard; copy one first</source>
         <translation>in der Zwischenablage ist kein Bild; bitte zuerst eines kopieren</translation>
+    </message>
+    <message>
+        <source>there is no preset {}</source>
+        <translation>es gibt keine Vorgabe {}</translation>
+    </message>
+    <message>
+        <source>these faces are not flat</source>
+        <translation>diese Flächen sind nicht eben</translation>
+    </message>
+    <message>
+        <source>thinner plates</source>
+        <translation>dünnere Platten</translation>
+    </message>
+    <message>
+        <source>thinner plates, or walls further apart</source>
+        <translation>dünnere Platten oder Wände weiter auseinander</translation>
     </message>
     <message>
         <source>true size on paper</source>
@@ -1498,8 +1822,28 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>{} passen nicht zum Rest: die schlimmste zuerst prüfen.</translation>
     </message>
     <message>
+        <source>{} conditions on {} coordinates are left</source>
+        <translation>{} Bedingungen an {} Koordinaten bleiben</translation>
+    </message>
+    <message>
         <source>{} contradicts the rest: with it the drawing is missed by {} px, without it by {} px.</source>
         <translation>{} widerspricht dem Rest: damit wird die Zeichnung um {} px verfehlt, ohne um {} px.</translation>
+    </message>
+    <message>
+        <source>{} coordinates are free</source>
+        <translation>{} Koordinaten sind frei</translation>
+    </message>
+    <message>
+        <source>{} does not meet this edge</source>
+        <translation>{} trifft diese Kante nicht</translation>
+    </message>
+    <message>
+        <source>{} drawn without width or height: pull the ellipse open.</source>
+        <translation>{} ist ohne Breite oder Höhe gezeichnet: bitte die Ellipse aufziehen.</translation>
+    </message>
+    <message>
+        <source>{} ends on {}, which must own the ends</source>
+        <translation>{} endet auf {}, dem die Enden gehören müssen</translation>
     </message>
     <message>
         <source>{} freedom left: add a right angle, parallel or ground vertex at {}.</source>
@@ -1522,12 +1866,20 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>{} wurden ohne dieses Addon geöffnet oder gespeichert und folgten der Skizze nicht mehr; jetzt folgen sie wieder</translation>
     </message>
     <message>
+        <source>{} is no joint</source>
+        <translation>{} ist keine Verbindung</translation>
+    </message>
+    <message>
         <source>{} is not there; use the command below.</source>
         <translation>{} ist nicht vorhanden; bitte den Befehl unten verwenden.</translation>
     </message>
     <message>
         <source>{} of {} things are in the way</source>
         <translation>{} von {} Dingen sind im Weg</translation>
+    </message>
+    <message>
+        <source>{} or a .json file</source>
+        <translation>{} oder eine .json-Datei</translation>
     </message>
     <message>
         <source>{} plates</source>
@@ -1540,6 +1892,14 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
     <message>
         <source>{} was saved by a newer version of this addon; what it added is left as it is</source>
         <translation>{} wurde von einer neueren Version dieses Addons gespeichert; was sie hinzufügte, bleibt, wie es ist</translation>
+    </message>
+    <message>
+        <source>{}, too many to solve for: mark right angles and parallels.</source>
+        <translation>{}, zu viele, um sie zu bestimmen: bitte rechte Winkel und Parallelen markieren.</translation>
+    </message>
+    <message>
+        <source>{}; try: {}</source>
+        <translation>{}; bitte: {}</translation>
     </message>
 </context>
 </TS>

@@ -772,6 +772,10 @@
         <translation>面がまだありません。直角のある辺の輪を閉じてください</translation>
     </message>
     <message>
+        <source>No faces were looked for: {}.</source>
+        <translation>面は探しませんでした: {}。</translation>
+    </message>
+    <message>
         <source>No hollow at all</source>
         <translation>中空にしない</translation>
     </message>
@@ -786,6 +790,10 @@
     <message>
         <source>No straight thing is traced: draw lines along some, near the photo's borders, and make them construction (X).</source>
         <translation>まっすぐな物がなぞられていません。写真の端に近いまっすぐな物に沿って線を引き、補助線（X）にしてください。</translation>
+    </message>
+    <message>
+        <source>No such face was found: {}.</source>
+        <translation>そのような面は見つかりません: {}。</translation>
     </message>
     <message>
         <source>Not now</source>
@@ -1116,6 +1124,10 @@
         <translation>線画からは焦点距離が分からないため、一般的な値を仮定しました。</translation>
     </message>
     <message>
+        <source>The given lengths put the camera {} mm ({} %) off its known height: check the length, the camera, and what stands on the ground.</source>
+        <translation>指定した長さによると、カメラは既知の高さから {} mm ({} %) ずれます。長さ、カメラ、地面にあるものを確かめてください。</translation>
+    </message>
+    <message>
         <source>The grid shows once the sketch is solved</source>
         <translation>スケッチが解けるとグリッドが表示されます</translation>
     </message>
@@ -1200,6 +1212,10 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
     <message>
         <source>Tile the PDF on A4, A3 or letter pages</source>
         <translation>PDF を A4、A3、レターに分割</translation>
+    </message>
+    <message>
+        <source>Too many copies ({} and so on): take some symmetry planes away.</source>
+        <translation>コピーが多すぎます ({} など)。対称面をいくつか取り除いてください。</translation>
     </message>
     <message>
         <source>True where no length says how big the object is: its longest edge is 100 mm then</source>
@@ -1298,12 +1314,44 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>中空の立体を STL、3MF、STEP としてフォルダーに書き出す</translation>
     </message>
     <message>
+        <source>a closed set of faces</source>
+        <translation>閉じた面の組</translation>
+    </message>
+    <message>
+        <source>a joint names no edge</source>
+        <translation>継手に辺がありません</translation>
+    </message>
+    <message>
+        <source>a larger printer, or several parts</source>
+        <translation>大きいプリンターにするか、分割する</translation>
+    </message>
+    <message>
+        <source>a larger sheet</source>
+        <translation>大きい板材</translation>
+    </message>
+    <message>
         <source>a lifted model</source>
         <translation>起こしたモデル</translation>
     </message>
     <message>
+        <source>a notch or hole has no room for a cutter of {} mm</source>
+        <translation>切り欠きか穴に {} mm の刃が入りません</translation>
+    </message>
+    <message>
+        <source>a number from {} to {} mm</source>
+        <translation>{} から {} mm の数</translation>
+    </message>
+    <message>
+        <source>a number from {} to {} {}</source>
+        <translation>{} から {} {} の数</translation>
+    </message>
+    <message>
         <source>a photo sketch</source>
         <translation>写真スケッチ</translation>
+    </message>
+    <message>
+        <source>a plate of {} x {} mm does not fit on a sheet of {} x {} mm with a margin of {} mm</source>
+        <translation>{} x {} mm の板は {} x {} mm の板材 (余白 {} mm) に収まりません</translation>
     </message>
     <message>
         <source>a plate set</source>
@@ -1314,8 +1362,64 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>中空の立体</translation>
     </message>
     <message>
+        <source>a side that runs from circle to circle</source>
+        <translation>円から円へ続く側線</translation>
+    </message>
+    <message>
+        <source>a thicker wall</source>
+        <translation>壁を厚くする</translation>
+    </message>
+    <message>
+        <source>a thicker wall, or a printer with a finer nozzle</source>
+        <translation>壁を厚くするか、細いノズルのプリンターにする</translation>
+    </message>
+    <message>
+        <source>a thickness above 0 mm</source>
+        <translation>0 mm より大きい厚さ</translation>
+    </message>
+    <message>
+        <source>a thickness of {} mm</source>
+        <translation>厚さ {} mm</translation>
+    </message>
+    <message>
+        <source>a thinner cutter, or wider fingers</source>
+        <translation>細い刃にするか、ほぞを広げる</translation>
+    </message>
+    <message>
+        <source>a thinner or thicker wall</source>
+        <translation>壁を薄くするか厚くする</translation>
+    </message>
+    <message>
+        <source>a thinner wall</source>
+        <translation>壁を薄くする</translation>
+    </message>
+    <message>
+        <source>a thinner wall, or partitions that stand at right angles to the walls they meet</source>
+        <translation>壁を薄くするか、仕切りを壁に直角にする</translation>
+    </message>
+    <message>
+        <source>a thinner wall, or the other side</source>
+        <translation>壁を薄くするか、反対側にする</translation>
+    </message>
+    <message>
         <source>and</source>
         <translation>と</translation>
+    </message>
+    <message>
+        <source>another folder, or check its permissions</source>
+        <translation>別のフォルダーにするか、権限を確かめる</translation>
+    </message>
+    <message>
+        <source>another format</source>
+        <translation>別の形式</translation>
+    </message>
+    <message>
+        <source>butt</source>
+        <translation>突き付け</translation>
+    </message>
+    <message>
+        <source>cannot write {}: {}</source>
+        <translation>{} を書けません: {}</translation>
     </message>
     <message>
         <source>choose a lifted model</source>
@@ -1334,6 +1438,10 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>板またはシェル立体を選んでください</translation>
     </message>
     <message>
+        <source>close a loop of edges that lies in one plane, or include a face</source>
+        <translation>一つの平面にある辺の輪を閉じるか、面を含める</translation>
+    </message>
+    <message>
         <source>cut it first; the notch in which the tab sits well says which play to set</source>
         <translation>最初に切ってください。ほぞがちょうどよく入る切り欠きが、設定すべき遊びを示します</translation>
     </message>
@@ -1342,12 +1450,44 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>切断機</translation>
     </message>
     <message>
+        <source>delete it or draw it again</source>
+        <translation>削除するか描き直す</translation>
+    </message>
+    <message>
+        <source>draw the face's edges in order</source>
+        <translation>面の辺を順に描く</translation>
+    </message>
+    <message>
+        <source>draw the face's edges in order, without crossing</source>
+        <translation>面の辺を順に、交わらないように描く</translation>
+    </message>
+    <message>
+        <source>draw the missing face; leave it out</source>
+        <translation>足りない面を描く。または開ける</translation>
+    </message>
+    <message>
+        <source>faces that meet in their edges only</source>
+        <translation>辺だけで接する面</translation>
+    </message>
+    <message>
+        <source>fingers cannot hold here: {}</source>
+        <translation>ここではほぞが持ちません: {}</translation>
+    </message>
+    <message>
+        <source>flat faces beside a surface of revolution cannot be printed as one</source>
+        <translation>回転体と平らな面は一体で造形できません</translation>
+    </message>
+    <message>
         <source>follows from the drawing and the other dimensions</source>
         <translation>図と他の寸法から決まります</translation>
     </message>
     <message>
         <source>grid</source>
         <translation>グリッド</translation>
+    </message>
+    <message>
+        <source>include a face</source>
+        <translation>面を含める</translation>
     </message>
     <message>
         <source>it does not stand</source>
@@ -1372,6 +1512,58 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
     <message>
         <source>key {} in the sketch</source>
         <translation>スケッチでキー {}</translation>
+    </message>
+    <message>
+        <source>lay it on another side</source>
+        <translation>別の面を下にする</translation>
+    </message>
+    <message>
+        <source>leave one of the faces out</source>
+        <translation>面を一つ開ける</translation>
+    </message>
+    <message>
+        <source>leave them out, or sketch them on their own</source>
+        <translation>開けるか、別に描く</translation>
+    </message>
+    <message>
+        <source>list the faces in the sketch</source>
+        <translation>スケッチに面を列挙する</translation>
+    </message>
+    <message>
+        <source>more than two outer faces meet in these edges</source>
+        <translation>これらの辺に3枚以上の外側の面が集まっています</translation>
+    </message>
+    <message>
+        <source>more than two plates meet in one edge</source>
+        <translation>一つの辺に3枚以上の板が集まっています</translation>
+    </message>
+    <message>
+        <source>more than {} pairs of edges meet</source>
+        <translation>{} 組を超える辺が交わっています</translation>
+    </message>
+    <message>
+        <source>no face to make a plate of</source>
+        <translation>板にする面がありません</translation>
+    </message>
+    <message>
+        <source>no face to make anything of</source>
+        <translation>作れる面がありません</translation>
+    </message>
+    <message>
+        <source>no two plates meet there</source>
+        <translation>そこでは2枚の板が出会いません</translation>
+    </message>
+    <message>
+        <source>no wall of {} mm can be made</source>
+        <translation>{} mm の壁は作れません</translation>
+    </message>
+    <message>
+        <source>no {} joint can be made where {}</source>
+        <translation>{} の継手はここでは作れません ({})</translation>
+    </message>
+    <message>
+        <source>nothing is left of the walls</source>
+        <translation>壁が残りません</translation>
     </message>
     <message>
         <source>nothing is traced on the photo to fit to</source>
@@ -1410,6 +1602,18 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>板またはシェル立体</translation>
     </message>
     <message>
+        <source>revolution {} is not solved</source>
+        <translation>回転体 {} が解けていません</translation>
+    </message>
+    <message>
+        <source>right-angle annotations, or split the faces</source>
+        <translation>直角を指定するか、面を分ける</translation>
+    </message>
+    <message>
+        <source>right-angle annotations, so that it becomes flat</source>
+        <translation>直角を指定して平らにする</translation>
+    </message>
+    <message>
         <source>said to be right in the sketch</source>
         <translation>スケッチで直角と指定されています</translation>
     </message>
@@ -1434,12 +1638,132 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>スライサー（単位付き）</translation>
     </message>
     <message>
+        <source>solve the sketch again</source>
+        <translation>スケッチをもう一度解く</translation>
+    </message>
+    <message>
         <source>the Python package {0} is missing; install it with FreeCAD's Addon Manager, or with: {1} -m pip install --target {2} {0}</source>
         <translation>Python パッケージ {0} がありません。FreeCAD のアドオンマネージャーか次のコマンドでインストールしてください: {1} -m pip install --target {2} {0}</translation>
     </message>
     <message>
+        <source>the STEP file could not be written</source>
+        <translation>STEP ファイルを書けませんでした</translation>
+    </message>
+    <message>
+        <source>the face has no area</source>
+        <translation>面の面積がありません</translation>
+    </message>
+    <message>
+        <source>the face has no thickness</source>
+        <translation>面に厚さがありません</translation>
+    </message>
+    <message>
+        <source>the face is {} mm off its plane</source>
+        <translation>面が平面から {} mm ずれています</translation>
+    </message>
+    <message>
+        <source>the faces do not close: these edges lie open</source>
+        <translation>面が閉じていません。これらの辺が開いています</translation>
+    </message>
+    <message>
+        <source>the faces do not enclose anything</source>
+        <translation>面が何も囲んでいません</translation>
+    </message>
+    <message>
+        <source>the faces enclose no solid</source>
+        <translation>面が立体を囲んでいません</translation>
+    </message>
+    <message>
+        <source>the joint's {} is {} mm</source>
+        <translation>継手の {} が {} mm です</translation>
+    </message>
+    <message>
+        <source>the joints would cut the plate into pieces</source>
+        <translation>継手が板を切り離してしまいます</translation>
+    </message>
+    <message>
+        <source>the mesh holds {} mm3 instead of {}</source>
+        <translation>メッシュの体積が {} mm³ です (正しくは {})</translation>
+    </message>
+    <message>
+        <source>the outline crosses itself</source>
+        <translation>輪郭が自分と交わっています</translation>
+    </message>
+    <message>
+        <source>the plates would lie in one another</source>
+        <translation>板が重なります</translation>
+    </message>
+    <message>
+        <source>the plates would lie in one another: their faces are {} mm apart</source>
+        <translation>板が重なります。面の間隔は {} mm です</translation>
+    </message>
+    <message>
+        <source>the preset {} cannot be read: {}</source>
+        <translation>プリセット {} を読めません: {}</translation>
+    </message>
+    <message>
+        <source>the print is {} mm, larger than the printer's {} mm</source>
+        <translation>造形物は {} mm で、プリンターの {} mm より大きいです</translation>
+    </message>
+    <message>
+        <source>the profile crosses itself or the axis</source>
+        <translation>断面が自分か軸と交わっています</translation>
+    </message>
+    <message>
+        <source>the sketch is not solved: {}</source>
+        <translation>スケッチが解けていません: {}</translation>
+    </message>
+    <message>
+        <source>the surface is not closed</source>
+        <translation>表面が閉じていません</translation>
+    </message>
+    <message>
+        <source>the surface is not closed: {}</source>
+        <translation>表面が閉じていません: {}</translation>
+    </message>
+    <message>
+        <source>the wall of {} mm is thinner than the least wall of {} mm</source>
+        <translation>壁 {} mm は最小の壁 {} mm より薄いです</translation>
+    </message>
+    <message>
+        <source>the wall of {} mm is too thick for this profile</source>
+        <translation>壁 {} mm はこの断面には厚すぎます</translation>
+    </message>
+    <message>
+        <source>the wall of {} mm is too thick: the shape measures {} mm here</source>
+        <translation>壁 {} mm は厚すぎます。形はここで {} mm です</translation>
+    </message>
+    <message>
+        <source>the walls make {} solids instead of one</source>
+        <translation>壁が一つでなく {} 個の立体になります</translation>
+    </message>
+    <message>
+        <source>the {} is {} {}</source>
+        <translation>{} が {} {} です</translation>
+    </message>
+    <message>
+        <source>there is no joint {}</source>
+        <translation>継手 {} はありません</translation>
+    </message>
+    <message>
         <source>there is no picture in the clipboard; copy one first</source>
         <translation>クリップボードに画像がありません。先にコピーしてください</translation>
+    </message>
+    <message>
+        <source>there is no preset {}</source>
+        <translation>プリセット {} はありません</translation>
+    </message>
+    <message>
+        <source>these faces are not flat</source>
+        <translation>この面は平らではありません</translation>
+    </message>
+    <message>
+        <source>thinner plates</source>
+        <translation>板を薄くする</translation>
+    </message>
+    <message>
+        <source>thinner plates, or walls further apart</source>
+        <translation>板を薄くするか、壁の間隔を広げる</translation>
     </message>
     <message>
         <source>true size on paper</source>
@@ -1498,8 +1822,28 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>{} は残りと両立しません。最も悪いものから確認してください。</translation>
     </message>
     <message>
+        <source>{} conditions on {} coordinates are left</source>
+        <translation>{} 個の条件と {} 個の座標</translation>
+    </message>
+    <message>
         <source>{} contradicts the rest: with it the drawing is missed by {} px, without it by {} px.</source>
         <translation>{} は残りと矛盾します。あると図から {} px、ないと {} px 外れます。</translation>
+    </message>
+    <message>
+        <source>{} coordinates are free</source>
+        <translation>自由な座標 {} 個</translation>
+    </message>
+    <message>
+        <source>{} does not meet this edge</source>
+        <translation>{} はこの辺に接していません</translation>
+    </message>
+    <message>
+        <source>{} drawn without width or height: pull the ellipse open.</source>
+        <translation>{} に幅か高さがありません。楕円を広げてください。</translation>
+    </message>
+    <message>
+        <source>{} ends on {}, which must own the ends</source>
+        <translation>{} は {} の上で終わるので、端は後者のものです</translation>
     </message>
     <message>
         <source>{} freedom left: add a right angle, parallel or ground vertex at {}.</source>
@@ -1522,12 +1866,20 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>{} はこのアドオンなしで開くか保存され、スケッチに追従しなくなっていました。元に戻しました</translation>
     </message>
     <message>
+        <source>{} is no joint</source>
+        <translation>{} は継手ではありません</translation>
+    </message>
+    <message>
         <source>{} is not there; use the command below.</source>
         <translation>{} がありません。下のコマンドを使ってください。</translation>
     </message>
     <message>
         <source>{} of {} things are in the way</source>
         <translation>{} / {} 個の物とぶつかります</translation>
+    </message>
+    <message>
+        <source>{} or a .json file</source>
+        <translation>{} または .json ファイル</translation>
     </message>
     <message>
         <source>{} plates</source>
@@ -1540,6 +1892,14 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
     <message>
         <source>{} was saved by a newer version of this addon; what it added is left as it is</source>
         <translation>{} は新しい版のアドオンで保存されました。追加された内容はそのまま残ります</translation>
+    </message>
+    <message>
+        <source>{}, too many to solve for: mark right angles and parallels.</source>
+        <translation>{} は多すぎて解けません。直角と平行を指定してください。</translation>
+    </message>
+    <message>
+        <source>{}; try: {}</source>
+        <translation>{}。対処: {}</translation>
     </message>
 </context>
 </TS>

@@ -5,6 +5,7 @@ import pytest
 
 from incontext.tests.freecad.hands import pump
 from incontext.workbench import host
+from incontext.workbench.panels.reasons import REASONS
 from incontext.workbench.panels.wording import SENTENCES, in_language
 
 
@@ -47,6 +48,27 @@ def test_sentences_of_the_solver_are_known_in_german(language):
         assert "und" in german or "and" not in german
     assert "a1 und a2" in in_language(said[2])
     assert in_language("Something new.") == "Something new."
+
+
+def test_errors_say_in_japanese_what_is_wrong_where_and_what_to_try(language):
+    language("Japanese")
+    thick = "the wall of 9 mm is too thick: the shape measures 12 mm here (f1, f2)"
+    assert in_language(f"{thick}; try: a thinner wall") == (
+        "壁 9 mm は厚すぎます。形はここで 12 mm です (f1, f2)。対処: 壁を薄くする"
+    )
+    many = "more than 9 pairs of edges meet (e1); try: list the faces in the sketch"
+    assert in_language(f"Solved. No faces were looked for: {many}.").endswith(
+        "面は探しませんでした: 9 組を超える辺が交わっています (e1)。対処: スケッチに面を列挙する。"
+    )
+    assert in_language("something new (f1); try: something else") == (
+        "something new (f1)。対処: something else"
+    )
+
+
+def test_every_reason_comes_back_from_its_pattern():
+    for source in REASONS:
+        words = source.replace("{}", "7")
+        assert in_language(f"{words} (f1, f2); try: {words}") == f"{words} (f1, f2); try: {words}"
 
 
 def test_every_sentence_comes_back_from_its_pattern():

@@ -9,10 +9,12 @@ import FreeCADGui
 
 from .. import host
 from ..canvas.qt import QtCore, QtGui
+from .wording import in_language
 
 
 def tell(words: str) -> None:
     """Say what went wrong and what to try; also in the report view, to copy from."""
+    words = in_language(words)
     host.report(words)
     QtGui.QMessageBox.warning(
         FreeCADGui.getMainWindow(), host.translate("InContext", "Modeling in Context"), words

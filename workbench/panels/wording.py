@@ -10,6 +10,7 @@ import re
 from functools import lru_cache
 
 from .. import host
+from .reasons import REASONS
 
 #: Sentences with a place `{}` for each number, id or list of ids.
 SENTENCES = (
@@ -56,29 +57,48 @@ SENTENCES = (
     "others further apart, or use a marker.",
     "Lines on straight things bend by up to {} px ({}): the lens distorts, by {} % at the photo's "
     "corners: straighten the photo.",
+    "{}, too many to solve for: mark right angles and parallels.",
+    "{} drawn without width or height: pull the ellipse open.",
+    "The given lengths put the camera {} mm ({} %) off its known height: check the length, the "
+    "camera, and what stands on the ground.",
+    "Too many copies ({} and so on): take some symmetry planes away.",
+    "No faces were looked for: {}.",
+    "No such face was found: {}.",
 )
 #: The words between the last two ids of a list.
 JOINTS = ("and", "or")
+
+#: An error: what is wrong, the ids at fault in brackets, and what to try.
+_REASON = re.compile(r"(?P<what>.+?)(?P<ids> \([^()]*\))?; try: (?P<remedy>.+)")
 
 _PLACE = re.compile(r"\{(\d*)\}")
 _ENDS = re.compile(r"(?<=[.!?])\s+(?=[A-Zac-z])")
 
 
 def in_language(words: str) -> str:
-    """Sentences of the solver in the person's language; others stay as they are."""
-    return " ".join(map(_sentence, _ENDS.split(words)))
+    """What the solver or the making of plates says, in the person's language.
+
+    Sentences, and errors with what to try; others stay as they are.
+    """
+    if words.endswith("."):
+        return " ".join(_known(SENTENCES, sentence) for sentence in _ENDS.split(words))
+    reason = _REASON.fullmatch(words)
+    if reason is None:
+        return _known(REASONS, words)
+    what = in_language(reason["what"]) + (reason["ids"] or "")
+    return host.translate("InContext", "{}; try: {}").format(what, in_language(reason["remedy"]))
 
 
-def _sentence(words: str) -> str:
-    for source in SENTENCES:
+def _known(sources: tuple[str, ...], words: str) -> str:
+    for source in sources:
         found = _pattern(source).fullmatch(words)
         if found:
-            parts = [_ids(part) for part in found.groups()]
+            parts = [_part(part) for part in found.groups()]
             return host.translate("InContext", source).format(*parts)
     return words
 
 
-@lru_cache(maxsize=len(SENTENCES))
+@lru_cache(maxsize=len(SENTENCES) + len(REASONS))
 def _pattern(source: str) -> re.Pattern[str]:
     """A sentence with anything in its places, and the same where a place comes again."""
     pattern, number = "", 0
@@ -93,7 +113,9 @@ def _pattern(source: str) -> re.Pattern[str]:
     return re.compile(pattern)
 
 
-def _ids(words: str) -> str:
+def _part(words: str) -> str:
+    """What stands in a place: a clause, or ids in a list."""
+    words = in_language(words)
     for joint in JOINTS:
         words = words.replace(f" {joint} ", f" {host.translate('InContext', joint)} ")
     return words

@@ -561,7 +561,7 @@
     </message>
     <message>
         <source>If {} and {} are square at {}, saying so would help most.</source>
-        <translation>Am meisten hilft die Angabe, dass {} und {} an {} rechtwinklig sind, wenn es so ist.</translation>
+        <translation>Stehen {} und {} bei {} senkrecht aufeinander, so hülfe diese Angabe am meisten.</translation>
     </message>
     <message>
         <source>Import sketch</source>

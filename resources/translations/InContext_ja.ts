@@ -561,7 +561,7 @@
     </message>
     <message>
         <source>If {} and {} are square at {}, saying so would help most.</source>
-        <translation>{} と {} が {} で直角なら、それを付けると最も効果があります。</translation>
+        <translation>{} と {} が {} で直角なら、それを指定するのが最も役に立ちます。</translation>
     </message>
     <message>
         <source>Import sketch</source>

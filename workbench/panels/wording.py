@@ -64,6 +64,7 @@ SENTENCES = (
     "Too many copies ({} and so on): take some symmetry planes away.",
     "No faces were looked for: {}.",
     "No such face was found: {}.",
+    "If {} and {} are square at {}, saying so would help most.",
 )
 #: The words between the last two ids of a list.
 JOINTS = ("and", "or")

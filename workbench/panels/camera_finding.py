@@ -18,7 +18,7 @@ from .photo_pixels import grey_photo
 if TYPE_CHECKING:
     from ...solver.graph import Photo
     from ..canvas.view import SketchView
-    from ..marker_finding import SeenCorners
+    from ..marker_finding import Found, SeenCorners
 
 
 class CameraFinding:
@@ -76,20 +76,21 @@ class CameraFinding:
         return seen_corners(photo, grey, corners) if offer_to_install(missing) else None
 
     def _settle(self, photo: Photo, seen: SeenCorners, told: KnownRectangle | None) -> None:
-        """Ask for the size where it is not known, and write the camera."""
+        """Write the camera; where the size is not known, ask for it first."""
         from ..marker_finding import camera_of_corners
         from .rectangle_dialog import RectangleDialog
 
-        size_mm = None if told is None else told.size_mm
-        if size_mm is None:
-            dialog = RectangleDialog(photo, seen, self._view, is_marker=told is None)
-            was_said = dialog.exec_()
-            self.show()
-            if not was_said or dialog.found is None:
-                return
-            found, size_mm = dialog.found, dialog.size_mm
-        else:
-            found = camera_of_corners(photo, seen, size_mm)
+        if told is not None and told.size_mm is not None:
+            self._write(camera_of_corners(photo, seen, told.size_mm), told.size_mm)
+            return
+        dialog = RectangleDialog(photo, seen, self._view, is_marker=told is None)
+        dialog.setAttribute(QtCore.Qt.WA_DeleteOnClose)
+        dialog.finished.connect(lambda _: self.show())
+        dialog.accepted.connect(lambda: self._write(dialog.found, dialog.size_mm))
+        dialog.open()
+
+    def _write(self, found: Found, size_mm: tuple[float, float]) -> None:
+        """Write the camera and what told it, and show the ground."""
         graph = replace(pipeline.graph_of(self._obj.Sketch), camera=found.view.camera)
         set_camera(self._obj, graph, marker_text(found.view.corners_px.tolist(), size_mm))
         if not self._view.attraction.grid_shown:

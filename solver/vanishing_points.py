@@ -22,6 +22,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .camera import Camera
+from .cropping import view_middle
 from .geometry import cross
 from .graph import SketchGraph
 from .problem import TRACED_SIGMA_PX
@@ -142,7 +143,27 @@ def traced_lines(graph: SketchGraph, solution: Solution) -> Traced:
         bundles.append(
             Bundle(tuple(edges[k] for k in own), _unsureness(N[own], sigma[own], V[own]))
         )
-    return Traced(lines, tuple(bundles), _notes(graph, lines, bundles))
+    # Where the photo was cropped, that is what puts lines off.
+    notes = _of_cropping(graph, drawn, along, numbers, camera) or _notes(graph, lines, bundles)
+    return Traced(lines, tuple(bundles), notes)
+
+
+def _of_cropping(
+    graph: SketchGraph, drawn: Array, along: Array, numbers: list[int], camera: Camera
+) -> tuple[str, ...]:
+    """Whether the lines tell that the photo was cropped, which nobody has said."""
+    if graph.photo is None or graph.camera is not None or graph.photo.principal_point_px:
+        return ()
+    taken = np.array(graph.principal_point_px)
+    found = view_middle(drawn, along, numbers, camera)
+    longer = max(graph.photo.width_px, graph.photo.height_px)
+    if found is None or not found.is_elsewhere(taken, longer):
+        return ()
+    (u, v), (x, y) = found.principal_px.round(), taken.round()
+    return (
+        f"The traced lines meet as in a cropped photo: it was taken towards {u:.0f}, {v:.0f} px, "
+        f"not {x:.0f}, {y:.0f} px: use the whole photo.",
+    )
 
 
 def _bundles_of(along: Array) -> list[int]:

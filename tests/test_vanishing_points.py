@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import numpy as np
 import pytest
-from scenes import Views, box, photograph, with_traced_box
+from rectangles import camera_at
+from scenes import Views, bookshelf, box, photograph, photograph_exactly, with_traced_box
 
 from incontext.solver import save_sketch, solve
 from incontext.solver.vanishing_points import FAR_OFF, traced_lines
@@ -88,6 +90,35 @@ def test_the_panel_says_it_in_a_sentence():
 def test_a_sketch_without_traced_lines_has_nothing_to_say():
     graph = replace(scene(), construction=())
     assert traced_lines(graph, solve(graph)).lines == {}
+
+
+def cropped(crop_px, rng, noise_px=0.5):
+    """A shelf traced all over a photo of which the left and the top were cut away."""
+    shape = bookshelf()
+    middle = (shape.X.min(axis=0) + shape.X.max(axis=0)) / 2
+    camera = camera_at(35, -50, 550, 900)
+    graph = photograph_exactly(replace(shape, X=shape.X - middle), camera)
+    drawn = np.array([*graph.vertices.values()]) - crop_px
+    drawn = drawn + rng.normal(0, noise_px, drawn.shape)
+    return replace(
+        graph,
+        photo=replace(graph.photo, width_px=1600 - crop_px[0], height_px=1200 - crop_px[1]),
+        vertices=dict(zip(graph.vertices, map(tuple, drawn.tolist()), strict=True)),
+        construction=tuple(graph.edges),
+    )
+
+
+def test_a_cropped_photo_is_told_by_its_lines():
+    rng = np.random.default_rng(4)
+    graph = cropped((300, 150), rng)
+    (note,) = traced_lines(graph, solve(graph)).notes
+    assert "cropped" in note
+    u, v = map(float, re.search(r"towards (\d+), (\d+) px", note).groups())
+    assert np.hypot(u - 500, v - 450) < 40
+    told = replace(graph, photo=replace(graph.photo, principal_point_px=(500.0, 450.0)))
+    assert traced_lines(told, solve(told)).notes == ()
+    whole = cropped((0, 0), rng)
+    assert traced_lines(whole, solve(whole)).notes == ()
 
 
 def test_the_command_says_it_line_by_line(tmp_path, capsys):

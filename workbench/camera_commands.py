@@ -58,6 +58,12 @@ def add_camera(commands: Any) -> None:
     )
     add("--exactly", action="store_true", help="take the corners as they are told")
     add("--focal", metavar="PX", type=float, help="focal length (else from EXIF, else found)")
+    add(
+        "--middle",
+        metavar="U,V",
+        type=_point,
+        help="where the axis of view meets a photo that was cropped, px (else its middle)",
+    )
     add("-o", "--output", metavar="FILE", type=Path, help="the sketch file to write")
     command.set_defaults(run=_camera)
 
@@ -105,7 +111,7 @@ def _camera(arguments: argparse.Namespace) -> int:
     if arguments.size is None:
         return _judge_lines(arguments.input, is_photo=is_photo)
     graph, grey = (_of_photo if is_photo else _of_sketch)(arguments.input)
-    photo = _photo_of(graph, arguments.focal)
+    photo = _photo_of(graph, arguments.focal, arguments.middle)
     try:
         seen = seen_corners(photo, grey, arguments.corners, exactly=arguments.exactly)
     except ModuleNotFoundError as error:
@@ -196,16 +202,21 @@ def _of_sketch(path: Path) -> tuple[SketchGraph, Array | None]:
     return graph, grey_of(picture) if picture is not None and picture.size == told else None
 
 
-def _photo_of(graph: SketchGraph, focal_px: float | None) -> Photo:
+def _photo_of(
+    graph: SketchGraph, focal_px: float | None, middle_px: tuple[float, float] | None
+) -> Photo:
     from ..solver.errors import SketchError
 
     if graph.photo is None:
         raise SketchError("the sketch has no photo", (), "a sketch with one, or the photo itself")
-    if focal_px is None:
-        return graph.photo
-    if not focal_px > 0:
+    if focal_px is not None and not focal_px > 0:
         raise SketchError(f"a focal length of {focal_px:g} px is none", (), "a number above 0")
-    return replace(graph.photo, focal_px=focal_px)
+    photo = graph.photo
+    return replace(
+        photo,
+        focal_px=photo.focal_px if focal_px is None else focal_px,
+        principal_point_px=photo.principal_point_px if middle_px is None else middle_px,
+    )
 
 
 def camera_words(found: Found, photo: Photo) -> list[str]:

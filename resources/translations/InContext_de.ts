@@ -1180,6 +1180,10 @@
         <translation>Die nachgezeichneten Linien biegen sich um höchstens {:.1f} px: es gibt nichts zu begradigen.</translation>
     </message>
     <message>
+        <source>The traced lines meet as in a cropped photo: it was taken towards {} px, not {} px: use the whole photo.</source>
+        <translation>Die nachgezeichneten Linien treffen sich wie in einem beschnittenen Foto: es zielte auf {} px, nicht auf {} px: das ganze Foto verwenden.</translation>
+    </message>
+    <message>
         <source>The traced lines {} are too nearly parallel in the photo to tell where they meet: trace others further apart, or use a marker.</source>
         <translation>Die nachgezeichneten Linien {} sind im Foto zu parallel, um zu verraten, wo sie sich treffen: weiter auseinander liegende nachzeichnen oder eine Marke verwenden.</translation>
     </message>

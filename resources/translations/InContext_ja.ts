@@ -1180,6 +1180,10 @@
         <translation>なぞった線の曲がりは最大 {:.1f} px です。補正は必要ありません。</translation>
     </message>
     <message>
+        <source>The traced lines meet as in a cropped photo: it was taken towards {} px, not {} px: use the whole photo.</source>
+        <translation>なぞった線の交わり方は、切り抜かれた写真のものです。視線の中心は {} px で、{} px ではありません。元の写真を使ってください。</translation>
+    </message>
+    <message>
         <source>The traced lines {} are too nearly parallel in the photo to tell where they meet: trace others further apart, or use a marker.</source>
         <translation>なぞった線 {} は写真の中でほぼ平行なので、どこで交わるか分かりません。もっと離れた線をなぞるか、マーカーを使ってください。</translation>
     </message>

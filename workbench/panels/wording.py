@@ -57,7 +57,6 @@ SENTENCES = (
     "others further apart, or use a marker.",
     "Lines on straight things bend by up to {} px ({}): the lens distorts, by {} % at the photo's "
     "corners: straighten the photo.",
-<<<<<<< HEAD
     "{}, too many to solve for: mark right angles and parallels.",
     "{} drawn without width or height: pull the ellipse open.",
     "The given lengths put the camera {} mm ({} %) off its known height: check the length, the "
@@ -66,10 +65,8 @@ SENTENCES = (
     "No faces were looked for: {}.",
     "No such face was found: {}.",
     "If {} and {} are square at {}, saying so would help most.",
-=======
     "The traced lines meet as in a cropped photo: it was taken towards {} px, not {} px: use the "
     "whole photo.",
->>>>>>> bd7e1fd (Tell by traced lines that a photo was cropped)
 )
 #: The words between the last two ids of a list.
 JOINTS = ("and", "or")

@@ -404,6 +404,10 @@
         <translation>Das neue Objekt über das Foto zeichnen: L für Linien, R für Rechtecke</translation>
     </message>
     <message>
+        <source>Drawing of the plates</source>
+        <translation>Zeichnung der Platten</translation>
+    </message>
+    <message>
         <source>Edit sketch</source>
         <translation>Skizze bearbeiten</translation>
     </message>
@@ -456,6 +460,10 @@
         <translation>Kamera finden</translation>
     </message>
     <message>
+        <source>Finished size of the plate</source>
+        <translation>Fertigmaß der Platte</translation>
+    </message>
+    <message>
         <source>Fit check</source>
         <translation>Passungsprüfung</translation>
     </message>
@@ -474,6 +482,14 @@
     <message>
         <source>Fix the length of edges, the diameter of circles or the height of vertices selected in 3D, to type it anew among the model's dimensions; fixed ones follow the drawing again</source>
         <translation>Legt die Länge von Kanten, den Durchmesser von Kreisen oder die Höhe von Punkten fest, die in 3D ausgewählt sind, um sie unter den Maßen des Modells neu einzugeben; festgelegte folgen wieder der Zeichnung</translation>
+    </message>
+    <message>
+        <source>Flat plate</source>
+        <translation>Flache Platte</translation>
+    </message>
+    <message>
+        <source>Flat plates</source>
+        <translation>Flache Platten</translation>
     </message>
     <message>
         <source>Folder</source>
@@ -522,6 +538,10 @@
     <message>
         <source>Have the pen stick to straight edges and corners that are seen in the photo</source>
         <translation>Der Stift rastet an geraden Kanten und Ecken ein, die im Foto zu sehen sind</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
     </message>
     <message>
         <source>Height above the ground of {}</source>
@@ -662,6 +682,10 @@
     <message>
         <source>Machine</source>
         <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Make a TechDraw page of the plates with their main sizes and a parts list</source>
+        <translation>Macht eine TechDraw-Seite der Platten mit ihren Hauptmaßen und einer Stückliste</translation>
     </message>
     <message>
         <source>Make a small comb with notches of different play and a tab, with the settings of the plates: cut it first; selected, it is written by Export plates</source>
@@ -864,6 +888,10 @@
         <translation>Anzahl der Parameter</translation>
     </message>
     <message>
+        <source>Parts list</source>
+        <translation>Stückliste</translation>
+    </message>
+    <message>
         <source>Photo</source>
         <translation>Foto</translation>
     </message>
@@ -874,6 +902,14 @@
     <message>
         <source>Photos</source>
         <translation>Fotos</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Platte</translation>
+    </message>
+    <message>
+        <source>Plate {}</source>
+        <translation>Platte {}</translation>
     </message>
     <message>
         <source>Plates</source>
@@ -1148,6 +1184,10 @@
         <translation>Die Platten oder der Körper, die geprüft werden</translation>
     </message>
     <message>
+        <source>The plates that it is one of</source>
+        <translation>Die Platten, von denen sie eine ist</translation>
+    </message>
+    <message>
         <source>The plates whose settings it tries</source>
         <translation>Die Platten, deren Einstellungen sie erprobt</translation>
     </message>
@@ -1300,6 +1340,14 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
     <message>
         <source>Which end of a surface of revolution has no wall</source>
         <translation>Welches Ende einer Drehfläche keine Wand hat</translation>
+    </message>
+    <message>
+        <source>Which of them</source>
+        <translation>Welche davon</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
     </message>
     <message>
         <source>Will it stand?</source>
@@ -1752,6 +1800,10 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
     <message>
         <source>there is no picture in the clipboard; copy one first</source>
         <translation>in der Zwischenablage ist kein Bild; bitte zuerst eines kopieren</translation>
+    </message>
+    <message>
+        <source>there is no plate {0} any more</source>
+        <translation>es gibt keine Platte {0} mehr</translation>
     </message>
     <message>
         <source>there is no preset {}</source>

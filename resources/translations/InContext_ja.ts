@@ -404,6 +404,10 @@
         <translation>写真の上に新しい物を描きます。L で線、R で長方形</translation>
     </message>
     <message>
+        <source>Drawing of the plates</source>
+        <translation>板の図面</translation>
+    </message>
+    <message>
         <source>Edit sketch</source>
         <translation>スケッチを編集</translation>
     </message>
@@ -456,6 +460,10 @@
         <translation>カメラを求める</translation>
     </message>
     <message>
+        <source>Finished size of the plate</source>
+        <translation>板の仕上がり寸法</translation>
+    </message>
+    <message>
         <source>Fit check</source>
         <translation>適合の確認</translation>
     </message>
@@ -474,6 +482,14 @@
     <message>
         <source>Fix the length of edges, the diameter of circles or the height of vertices selected in 3D, to type it anew among the model's dimensions; fixed ones follow the drawing again</source>
         <translation>3D で選択したエッジの長さ、円の直径、頂点の高さを固定し、モデルの寸法で入力できるようにします。固定済みのものは再び図に従います</translation>
+    </message>
+    <message>
+        <source>Flat plate</source>
+        <translation>平らな板</translation>
+    </message>
+    <message>
+        <source>Flat plates</source>
+        <translation>平らな板</translation>
     </message>
     <message>
         <source>Folder</source>
@@ -522,6 +538,10 @@
     <message>
         <source>Have the pen stick to straight edges and corners that are seen in the photo</source>
         <translation>写真に写っている直線のエッジと角にペンを吸着させます</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高さ</translation>
     </message>
     <message>
         <source>Height above the ground of {}</source>
@@ -662,6 +682,10 @@
     <message>
         <source>Machine</source>
         <translation>機械</translation>
+    </message>
+    <message>
+        <source>Make a TechDraw page of the plates with their main sizes and a parts list</source>
+        <translation>板の主な寸法と部品表をもつ TechDraw ページを作ります</translation>
     </message>
     <message>
         <source>Make a small comb with notches of different play and a tab, with the settings of the plates: cut it first; selected, it is written by Export plates</source>
@@ -864,6 +888,10 @@
         <translation>パラメーター数</translation>
     </message>
     <message>
+        <source>Parts list</source>
+        <translation>部品表</translation>
+    </message>
+    <message>
         <source>Photo</source>
         <translation>写真</translation>
     </message>
@@ -874,6 +902,14 @@
     <message>
         <source>Photos</source>
         <translation>写真</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>板</translation>
+    </message>
+    <message>
+        <source>Plate {}</source>
+        <translation>板 {}</translation>
     </message>
     <message>
         <source>Plates</source>
@@ -1148,6 +1184,10 @@
         <translation>確認する板または立体</translation>
     </message>
     <message>
+        <source>The plates that it is one of</source>
+        <translation>これが属する板の組</translation>
+    </message>
+    <message>
         <source>The plates whose settings it tries</source>
         <translation>設定を試す板</translation>
     </message>
@@ -1300,6 +1340,14 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
     <message>
         <source>Which end of a surface of revolution has no wall</source>
         <translation>回転体のどちらの端を開けるか</translation>
+    </message>
+    <message>
+        <source>Which of them</source>
+        <translation>そのうちのどれか</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>幅</translation>
     </message>
     <message>
         <source>Will it stand?</source>
@@ -1752,6 +1800,10 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
     <message>
         <source>there is no picture in the clipboard; copy one first</source>
         <translation>クリップボードに画像がありません。先にコピーしてください</translation>
+    </message>
+    <message>
+        <source>there is no plate {0} any more</source>
+        <translation>板 {0} はもうありません</translation>
     </message>
     <message>
         <source>there is no preset {}</source>

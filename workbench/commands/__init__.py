@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from .base import Command
 from .check_fit import CheckFit
+from .draw_plates import DrawPlates
 from .edit_sketch import EditSketch
 from .export_plates import ExportPlates
 from .export_print import ExportPrint
@@ -37,6 +38,7 @@ COMMANDS: tuple[type[Command], ...] = (
     MakeShell,
     CheckFit,
     MakeFitTest,
+    DrawPlates,
     ExportPlates,
     ExportPrint,
 )

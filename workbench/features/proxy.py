@@ -16,6 +16,7 @@ ORIGINAL_PROPERTIES: dict[str, frozenset[str]] = {
     "InContext::PhotoSketch": frozenset({"Photo", "Sketch", "Status", "Message"}),
     "InContext::LiftedModel": frozenset({"PhotoSketch", "ScaleAssumed", "Status", "Message"}),
     "InContext::PlateSet": frozenset({"LiftedModel", "FingerWidth", "PlateCount", "Status"}),
+    "InContext::FlatPlate": frozenset({"PlateSet", "PlateId", "PlateWidth", "Status"}),
     "InContext::FitTest": frozenset({"PlateSet", "Plays", "Status"}),
     "InContext::FitCheck": frozenset({"Checked", "Things", "Standing", "Status"}),
     "InContext::ShelledSolid": frozenset({"LiftedModel", "Wall", "Side", "Status"}),

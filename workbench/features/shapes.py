@@ -48,14 +48,19 @@ def plates_shape(plates: Iterable[Plate]) -> Any:
 
 def plate_solid(plate: Plate) -> Any:
     """One plate: its outline with holes, extruded by its thickness, put in its place."""
+    solid = flat_plate_solid(plate)
+    rows = [float(value) for row in plate.world_from_plate for value in row]
+    solid.Placement = FreeCAD.Placement(FreeCAD.Matrix(*rows))
+    return solid
+
+
+def flat_plate_solid(plate: Plate) -> Any:
+    """One plate in its own frame."""
     loops = [plate.outline, *plate.holes]
     points = [[FreeCAD.Vector(float(x), float(y), 0) for x, y in loop] for loop in loops]
     # A plate's holes are wound against its outline: nothing need be sorted out, 50 times faster.
     face = Part.Face(_wires(points))
-    solid = face.extrude(FreeCAD.Vector(0, 0, float(plate.thickness_mm)))
-    rows = [float(value) for row in plate.world_from_plate for value in row]
-    solid.Placement = FreeCAD.Placement(FreeCAD.Matrix(*rows))
-    return solid
+    return face.extrude(FreeCAD.Vector(0, 0, float(plate.thickness_mm)))
 
 
 def bodies_shape(bodies: Iterable[Manifold]) -> Any:

@@ -129,6 +129,10 @@ class PlateSetView(LiftedModelView):
         _dress(view_object, WOOD, BURNT_EDGE)
 
 
+class FlatPlateView(PlateSetView):
+    """A flat plate, in wood."""
+
+
 class FitTestView(PlateSetView):
     """The pieces to try the play with, in the plates' wood."""
 

@@ -58,13 +58,14 @@ def wake(document: Any) -> tuple[str, ...]:
 def _wake(obj: Any) -> bool:
     from .fit_check import FitCheck
     from .fit_test import FitTest
+    from .flat_plate import FlatPlate
     from .lifted_model import LiftedModel
     from .photo_sketch import PhotoSketch
     from .plate_set import PlateSet
     from .proxy import ORIGINAL_PROPERTIES
     from .shelled_solid import ShelledSolid
 
-    for cls in (PhotoSketch, LiftedModel, PlateSet, ShelledSolid, FitTest, FitCheck):
+    for cls in (PhotoSketch, LiftedModel, PlateSet, ShelledSolid, FitTest, FitCheck, FlatPlate):
         if ORIGINAL_PROPERTIES[cls.TYPE] <= set(obj.PropertiesList):
             proxy = cls.__new__(cls)
             obj.Proxy = proxy

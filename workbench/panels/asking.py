@@ -56,6 +56,13 @@ def show_file(path: Path) -> None:
     QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(str(path)))
 
 
+def shown(dialog: QtGui.QDialog) -> bool:
+    """Show a window until it is answered; whether that was yes."""
+    # PySide6 warns of the old name, which is the only one that PySide2 has.
+    run = dialog.exec if hasattr(dialog, "exec") else dialog.exec_
+    return bool(run())
+
+
 def _window() -> QtGui.QWidget:
     return FreeCADGui.getMainWindow()
 

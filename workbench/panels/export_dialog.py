@@ -112,9 +112,9 @@ class ExportDialog(QtGui.QDialog):
 
 def ask_what_to_export(dialog: ExportDialog) -> Choice | None:
     """Show the dialog; None where the person would rather not."""
-    from .asking import remember_folder
+    from .asking import remember_folder, shown
 
-    if not dialog.exec_():
+    if not shown(dialog):
         return None
     remember_folder(dialog.choice.folder)
     return dialog.choice

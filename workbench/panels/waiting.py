@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
 from ..canvas.qt import QtCore, QtGui
@@ -16,3 +16,11 @@ def busy() -> Iterator[None]:
         yield
     finally:
         QtGui.QApplication.restoreOverrideCursor()
+
+
+def wait_for(is_so: Callable[[], bool], seconds: float = 20.0) -> None:
+    """Let FreeCAD work on the side until something is so, or too long a time is over."""
+    timer = QtCore.QElapsedTimer()
+    timer.start()
+    while not is_so() and timer.elapsed() < 1000 * seconds:
+        QtGui.QApplication.processEvents(QtCore.QEventLoop.ExcludeUserInputEvents, 50)

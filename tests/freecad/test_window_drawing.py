@@ -1,0 +1,64 @@
+"""A TechDraw page of the plates, in the real window: views are worked out on the side there."""
+
+from __future__ import annotations
+
+import pytest
+
+from incontext.workbench.commands.draw_plates import drawing_for
+from incontext.workbench.features.flat_plate import is_flat_plate
+from incontext.workbench.features.plate_drawing import views_are_ready
+from incontext.workbench.features.plate_set import plates_of
+from incontext.workbench.panels.waiting import wait_for
+
+
+@pytest.fixture
+def drawn(window, shelf, document):
+    page = drawing_for(shelf[2])
+    return page, [obj for obj in document.Objects if is_flat_plate(obj)]
+
+
+def sizes_on(page):
+    """The measured sizes, rounded."""
+    found = [o for o in page.Document.Objects if o.TypeId == "TechDraw::DrawViewDimExtent"]
+    return sorted(round(size.getRawValue(), 3) for size in found)
+
+
+def sizes_of(plates):
+    return sorted(round(size, 3) for plate in plates_of(plates) for size in plate.size_mm)
+
+
+def test_each_plate_has_its_outline_and_its_two_sizes(drawn, shelf):
+    page, flat = drawn
+    assert [obj.PlateId for obj in flat] == [plate.id for plate in plates_of(shelf[2])]
+    assert views_are_ready(page)
+    assert sizes_on(page) == sizes_of(shelf[2])
+
+
+def test_everything_follows_the_plates(drawn, shelf, document):
+    page, flat = drawn
+    sheet = document.getObject("PartsList")
+    assert [sheet.get(f"A{row}") for row in range(2, 8)] == [obj.PlateId for obj in flat]
+    before = sizes_on(page)
+    driving = [n for n in shelf[1].PropertiesList if shelf[1].getGroupOfProperty(n) == "Dimensions"]
+    setattr(shelf[1], driving[0], 1.1 * getattr(shelf[1], driving[0]).Value)
+    document.recompute()
+    wait_for(lambda: views_are_ready(page))
+    document.recompute()
+    assert sizes_on(page) != before
+    assert sizes_on(page) == sizes_of(shelf[2])
+    widths = [sheet.get(f"B{row}").Value for row in range(2, 8)]
+    assert widths == [plate.size_mm[0] for plate in plates_of(shelf[2])]
+
+
+def test_the_drawing_is_one_step_to_undo(drawn, document):
+    document.undo()
+    assert [obj.Name for obj in document.Objects] == ["PhotoSketch", "LiftedModel", "PlateSet"]
+
+
+def test_a_plate_that_is_gone_says_so(drawn, document):
+    _, flat = drawn
+    area = flat[0].Shape.Area
+    flat[0].PlateId = "f99"
+    document.recompute()
+    assert (flat[0].Status, flat[0].Shape.Area) == ("not_made", area)
+    assert "f99" in flat[0].Message

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from .focal_prior import USUAL, tighter, usual_prior
+from .blas_threads import one_blas_thread
+from .focal_prior import USUAL, spare_observations, tighter, usual_prior
 from .full import EXIF_LOG_SIGMA, FocalPrior, FullProblem, Pose
 from .graph import SketchGraph
 from .least_squares import minimise
@@ -45,7 +46,7 @@ class Drag:
     _pose: Pose | None = None
     _prior: FocalPrior | None = None
     _expected: FocalPrior | None = None
-    _rated: bool = False
+    _spare: int | None = None
 
 
 def begin_drag(graph: SketchGraph, solution: Solution | None = None) -> Drag:
@@ -59,6 +60,11 @@ def begin_drag(graph: SketchGraph, solution: Solution | None = None) -> Drag:
         Its solution, where it is known.
     """
     solution = solve(graph) if solution is None else solution
+    with one_blas_thread:
+        return _begun(graph, solution)
+
+
+def _begun(graph: SketchGraph, solution: Solution) -> Drag:
     idle = Drag(graph, solution, topology_of(graph))
     core = without_profiles(listing_named_faces(graph, solution.faces))
     structure = build_structure(core)
@@ -75,9 +81,10 @@ def begin_drag(graph: SketchGraph, solution: Solution | None = None) -> Drag:
     elif prior is None:
         full = FullProblem(problem, None)
         expected = USUAL if is_unsure_of_focal(full, pose) else None
-        rated = tighter(usual_prior(full, pose), expected)
+        spare = spare_observations(full, pose)
+        rated = tighter(usual_prior(full, pose, spare), expected)
         return replace(
-            idle, _structure=structure, _pose=pose, _prior=rated, _expected=expected, _rated=True
+            idle, _structure=structure, _pose=pose, _prior=rated, _expected=expected, _spare=spare
         )
     return replace(idle, _structure=structure, _pose=pose, _prior=prior)
 
@@ -94,17 +101,21 @@ def drag(last: Drag, graph: SketchGraph) -> Drag:
     """
     if last._pose is None or last._structure is None or topology_of(graph) is not last._topology:
         return begin_drag(graph)
+    with one_blas_thread:
+        return _moved(last, last._structure, last._pose, graph)
+
+
+def _moved(last: Drag, structure: Structure, pose: Pose, graph: SketchGraph) -> Drag:
     core = without_profiles(listing_named_faces(graph, last.solution.faces))
-    problem = build_problem(core, last._structure)
-    x = minimise(
-        FullProblem(problem, last._prior), last._pose, max_iterations=ITERATIONS, near=True
-    ).x
+    full = FullProblem(build_problem(core, structure), last._prior)
+    x = minimise(full, pose, max_iterations=ITERATIONS, near=True).x
     prior = last._prior
-    if last._rated:
+    if last._spare is not None:
         # The misfit has changed, and with it how far the drawing is trusted.
-        prior = tighter(usual_prior(FullProblem(problem, None), x), last._expected)
-        x = minimise(FullProblem(problem, prior), x, max_iterations=1, near=True).x
-    solution = _describe(graph, core, FullProblem(problem, prior), x, last.solution)
+        prior = tighter(usual_prior(full, x, last._spare), last._expected)
+        full = full.with_prior(prior)
+        x = minimise(full, x, max_iterations=1, near=True).x
+    solution = _describe(graph, core, full, x, last.solution)
     return replace(last, graph=graph, solution=solution, _pose=x, _prior=prior)
 
 

@@ -31,6 +31,7 @@ from .blaming import (
     needs_a_closer_look,
     reading_of,
 )
+from .blas_threads import one_blas_thread
 from .camera import Camera
 from .circles import flat_circles
 from .diagnosis import (
@@ -106,7 +107,7 @@ def solve(
         Always; how it went is told by its status and message.
     """
     began = time.perf_counter()
-    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+    with one_blas_thread, np.errstate(over="ignore", invalid="ignore", divide="ignore"):
         try:
             tell = progress or _nobody
             once = partial(_solve, start=start, effort=Effort(stop), tell=tell, twin=twin)

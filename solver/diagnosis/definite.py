@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.linalg.lapack import dpotrf, dpotri
+from scipy.linalg.lapack import dposv
 
 from ..values import Array
 
@@ -14,14 +14,8 @@ SURELY_DEFINITE = 1e-11
 def safe_inverse(A: Array) -> Array | None:
     """The inverse of a symmetric matrix that surely is positive definite; None where in doubt."""
     scale = np.sqrt(np.maximum(A.ravel()[:: len(A) + 1], 1e-300))
-    factor, failed = dpotrf(A / (scale[:, None] * scale), lower=0, clean=1)
-    if failed:
-        return None
-    inverse, failed = dpotri(factor, lower=0)
+    _, inverse, failed = dposv(A / (scale[:, None] * scale), np.eye(len(A)))
     # The largest eigenvalue of the inverse is no larger than its trace.
     if failed or not float(inverse.trace()) < 1 / SURELY_DEFINITE:
         return None
-    upper = np.triu(inverse, 1)
-    upper += upper.T
-    upper.ravel()[:: len(A) + 1] = inverse.diagonal()
-    return np.asarray(upper / (scale[:, None] * scale))
+    return np.asarray(inverse / (scale[:, None] * scale))

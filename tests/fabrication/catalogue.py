@@ -3,9 +3,9 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from fabrication import shapes, slanted
-
 from incontext.solver.model import Model
+
+from . import shapes, slanted
 
 
 @dataclass(frozen=True)

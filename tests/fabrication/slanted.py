@@ -4,8 +4,9 @@ import math
 
 import numpy as np
 import shapely
-from fabrication import shapes
 from scipy.spatial import ConvexHull
+
+from . import shapes
 
 HEXAGON = [(50, 0), (150, 0), (205, 85), (150, 180), (45, 170), (0, 90)]
 PENTAGON = [(0, 0), (140, 0), (170, 80), (60, 140), (-20, 70)]

@@ -8,6 +8,8 @@ import pytest
 import shapely
 from fabrication import shapes, slanted
 from fabrication.bodies import body, overlaps, union
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
 
 from incontext.workbench.fabrication import (
     FabricationError,
@@ -129,7 +131,8 @@ def test_flat_angles_take_no_fingers():
     assert not takes_fingers(math.radians(350))
 
 
-@pytest.mark.parametrize("seed", range(14))
+@settings(max_examples=14, deadline=None, derandomize=True)
+@given(st.integers(0, 10**6))
 def test_random_prisms_leave_what_square_cuts_must(seed):
     """Any angles, some looking inwards: the void is the closed form along each upright edge."""
     plan, angles = slanted.random_plan(seed)
@@ -163,14 +166,21 @@ def test_random_convex_bodies(seed):
             assert "30 to 150 degrees" in joint.reason
 
 
-@pytest.mark.parametrize("side", ["outside", "middle"])
-@pytest.mark.parametrize("seed", [1, 4, 12, 33, 55])
+@settings(max_examples=10, deadline=None, derandomize=True)
+@given(st.integers(0, 10**6), st.sampled_from(["inside", "outside", "middle"]))
 def test_random_convex_bodies_of_any_side(seed, side):
     """Where more than three moved planes meet in no point, the corner is split."""
     loops, points = slanted.random_convex(seed)
-    joined = joined_plates(shapes.model(loops), PlateSettings(side=side))
+    try:
+        joined = joined_plates(shapes.model(loops), PlateSettings(side=side))
+    except FabricationError as refused:
+        # A sliver of a face, of which its joints would leave little or nothing.
+        assume(not refused.ids)
+        raise
     assert max(overlaps(joined.plates).values()) <= 1e-6
     hull = m3.Manifold.hull_points(points)
+    if side == "inside":
+        assert (union(joined.plates) - hull).volume() <= 1e-3
     if side == "outside":
         assert (union(joined.plates) ^ hull).volume() <= 1e-3
     assert all(plate.polygon.buffer(-0.05).geom_type == "Polygon" for plate in joined.plates)

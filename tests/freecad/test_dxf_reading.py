@@ -11,10 +11,11 @@ import FreeCAD
 import Import
 import pytest
 
-from incontext.tests.fabrication import shapes
+from incontext.tests.fabrication.catalogue import CATALOGUE
 from incontext.workbench.fabrication import PlateSettings, make_plates
 from incontext.workbench.fabrication.drawing import draw
 from incontext.workbench.fabrication.dxf import dxf_bytes
+from incontext.workbench.fabrication.presets import load_preset
 from incontext.workbench.fabrication.sheets import lay_out
 from incontext.workbench.features.exports import export_plates
 
@@ -71,12 +72,14 @@ def test_everything_in_the_file_is_read(shelf, imported, tmp_path):
     assert total == pytest.approx(wanted, rel=1e-6)
 
 
-@pytest.mark.parametrize("make", [shapes.organizer_8, shapes.table_tray, shapes.l_box])
-def test_other_shapes_have_their_length_and_size(make, imported, tmp_path):
+@pytest.mark.parametrize(
+    ("name", "preset"), [*((name, "plain") for name in CATALOGUE), ("crossed", "simple")]
+)
+def test_every_shape_has_its_length_and_size(name, preset, imported, tmp_path):
     settings = PlateSettings(kerf_mm=0.15, sheet_mm=(320.0, 300.0))
-    drawing = draw(sheets := lay_out(make_plates(make()), settings))
+    drawing = draw(sheets := lay_out(make_plates(CATALOGUE[name].make()), settings))
     path = tmp_path / "plates.dxf"
-    path.write_bytes(dxf_bytes(sheets))
+    path.write_bytes(dxf_bytes(sheets, load_preset(preset)))
     wanted = 0.0
     for line in drawing.paths:
         points = line.points.tolist()

@@ -23,7 +23,8 @@ from .strokes import text_strokes, text_width_mm
 
 #: Plays on the coupon, as differences from the setting, mm.
 COUPON_STEPS_MM = (-0.1, -0.05, 0.0, 0.05, 0.1)
-_BAR_MM = 14.0
+#: Of the pieces, and what must be left of them below a notch.
+_BAR_MM, _REST_MM = 14.0, 8.0
 _TEXT_MM = 3.0
 
 
@@ -76,17 +77,22 @@ def coupon(settings: PlateSettings) -> tuple[Plate, ...]:
     )
     step = 2 * width
     length = step * len(COUPON_STEPS_MM) + width
-    notched = box(0.0, 0.0, length, _BAR_MM)
+    bar = _bar_mm(thickness)
+    notched = box(0.0, 0.0, length, bar)
     # One tab alone: a row of them would go into no notch but with all the others.
-    tab = box(width, _BAR_MM, 2 * width, _BAR_MM + thickness)
-    tabbed = box(0.0, 0.0, 3 * width, _BAR_MM).union(tab)
+    tab = box(width, bar, 2 * width, bar + thickness)
+    tabbed = box(0.0, 0.0, 3 * width, bar).union(tab)
     for n, play in enumerate(coupon_plays(settings)):
         left = width + n * step
         # A finger and its notch share the play as the plates' own do; a slot has all of it.
         notched = notched.difference(
-            box(left - play / 2, _BAR_MM - thickness, left + width + play / 2, _BAR_MM + 1)
+            box(left - play / 2, bar - thickness, left + width + play / 2, bar + 1)
         )
     return _flat("notches", notched, thickness), _flat("tab", tabbed, thickness)
+
+
+def _bar_mm(thickness: float) -> float:
+    return max(_BAR_MM, thickness + _REST_MM)
 
 
 def coupon_plays(settings: PlateSettings) -> tuple[float, ...]:
@@ -97,8 +103,8 @@ def coupon_plays(settings: PlateSettings) -> tuple[float, ...]:
 def coupon_marks(settings: PlateSettings) -> list[Array]:
     """The plays as strokes below the notches, in the first comb's frame."""
     strokes = []
-    plate = coupon(settings)[0]
-    corners = plate.outline[np.isclose(plate.outline[:, 1], _BAR_MM - settings.thickness_mm)]
+    plate, bar = coupon(settings)[0], _bar_mm(settings.thickness_mm)
+    corners = plate.outline[np.isclose(plate.outline[:, 1], bar - settings.thickness_mm)]
     middles = np.sort(corners[:, 0]).reshape(-1, 2).mean(axis=1)
     for middle, play in zip(middles, coupon_plays(settings), strict=True):
         text = f"{play:+.2f}"

@@ -29,7 +29,9 @@ class InContextWorkbench(FreeCADGui.Workbench):
         from incontext.workbench.commands import register_commands
         from incontext.workbench.commands.tools import register_tools
         from incontext.workbench.panels.preset_page import PresetPage
+        from incontext.workbench.panels.working import work
 
+        host.set_worker(work)
         names, tools = register_commands(), register_tools()
         ours = host.translate("InContext", "Modeling in &Context")
         sketching = host.translate("InContext", "Sketch &tools")

@@ -32,7 +32,9 @@ _NAMES = """
     Custom Vertex Vertexes Edge Edges Face Faces
     Marker Check Checked Things Fits Stands Standing Overlap Support Visibility Plays
 """
-NAMES = {*_NAMES.split(), "Shown dimensions", "Shown dimensions: angles"}
+NAMES = {*_NAMES.split(), "Method", "Shown dimensions", "Shown dimensions: angles"}
+#: Methods are called as in the papers, and documents store their names.
+NAMES |= {"Modified Lipson", "Lau 2010", "Lipson 1996"}
 
 
 def no_texts(tree: ast.Module) -> set[int]:

@@ -7,15 +7,21 @@ Python: messages then go to standard error, preferences live in a dictionary.
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 try:
     import FreeCAD
 except ImportError:
     FreeCAD = None
+
+T = TypeVar("T")
+#: Asked now and then by what takes long; told how far it is (0 to 1), and what is being done.
+Stop = Callable[[], bool]
+Progress = Callable[[float, str], None]
+Work = Callable[[Stop, Progress], T]
 
 #: The addon's own folder.
 ROOT = Path(__file__).resolve().parent.parent
@@ -124,6 +130,34 @@ def _print(method: str, text: str) -> None:
         sys.stderr.write(line)
     else:
         getattr(FreeCAD.Console, method)(line)
+
+
+def work(words: str, job: Work[T]) -> T | None:
+    """Do what takes long: before a person's eyes where there is a window that knows how.
+
+    Parameters
+    ----------
+    words : str
+        What is going on.
+    job : callable
+        Takes whether to stop, and whom to tell how far it is.
+
+    Returns
+    -------
+    What the job gave; None where a person stopped it.
+    """
+    if _workers:
+        return _workers[-1](words, job)
+    return job(lambda: False, lambda done, what: None)
+
+
+#: Who does work before a person's eyes; the panels enter theirs.
+_workers: list[Callable[[str, Any], Any]] = []
+
+
+def set_worker(worker: Callable[[str, Any], Any]) -> None:
+    """From now on work is done by this."""
+    _workers[:] = [worker]
 
 
 def has_window() -> bool:

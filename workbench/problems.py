@@ -9,14 +9,21 @@ from __future__ import annotations
 from . import host
 
 
+class StoppedError(Exception):
+    """A person did not wait for it."""
+
+    def __str__(self) -> str:
+        return host.translate("InContext", "stopped; recompute the lifted model to begin again")
+
+
 def known_problems() -> tuple[type[Exception], ...]:
-    """The exceptions that are about the sketch, the settings or a missing package."""
+    """The exceptions that are about the sketch, the settings, a missing package, or a stop."""
     try:
         from ..solver.errors import SketchError
         from .fabrication.errors import FabricationError
     except ModuleNotFoundError:
-        return (ModuleNotFoundError,)
-    return (SketchError, FabricationError, ModuleNotFoundError)
+        return (ModuleNotFoundError, StoppedError)
+    return (SketchError, FabricationError, ModuleNotFoundError, StoppedError)
 
 
 def in_words(error: BaseException) -> str:

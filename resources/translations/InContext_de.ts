@@ -576,6 +576,10 @@
         <translation>Wie die Platten an jeder Kante verbunden sind</translation>
     </message>
     <message>
+        <source>How the sketch is lifted. The methods of the papers are slow and less exact: they are there to compare with</source>
+        <translation>Wie die Skizze gehoben wird. Die Verfahren der Aufsätze sind langsam und weniger genau: sie sind zum Vergleichen da</translation>
+    </message>
+    <message>
         <source>How wide fingers should be</source>
         <translation>Wie breit Finger sein sollen</translation>
     </message>
@@ -658,6 +662,10 @@
     <message>
         <source>Lifted model</source>
         <translation>Gehobenes Modell</translation>
+    </message>
+    <message>
+        <source>Lifting by the method {} ...</source>
+        <translation>Wird nach dem Verfahren {} gehoben ...</translation>
     </message>
     <message>
         <source>Line</source>
@@ -1106,6 +1114,10 @@
     <message>
         <source>Stopped; nothing is installed.</source>
         <translation>Abgebrochen; nichts wurde installiert.</translation>
+    </message>
+    <message>
+        <source>Stopping ...</source>
+        <translation>Wird angehalten ...</translation>
     </message>
     <message>
         <source>Straighten photo</source>
@@ -1692,6 +1704,10 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
     <message>
         <source>solve the sketch again</source>
         <translation>die Skizze noch einmal lösen</translation>
+    </message>
+    <message>
+        <source>stopped; recompute the lifted model to begin again</source>
+        <translation>angehalten; um neu zu beginnen, bitte das gehobene Modell neu berechnen</translation>
     </message>
     <message>
         <source>the Python package {0} is missing; install it with FreeCAD's Addon Manager, or with: {1} -m pip install --target {2} {0}</source>

@@ -576,6 +576,10 @@
         <translation>各辺での板のつなぎ方</translation>
     </message>
     <message>
+        <source>How the sketch is lifted. The methods of the papers are slow and less exact: they are there to compare with</source>
+        <translation>スケッチを立体にする方法です。論文の方法は遅く、精度も劣ります。比較のためにあります</translation>
+    </message>
+    <message>
         <source>How wide fingers should be</source>
         <translation>ほぞの幅</translation>
     </message>
@@ -658,6 +662,10 @@
     <message>
         <source>Lifted model</source>
         <translation>起こしたモデル</translation>
+    </message>
+    <message>
+        <source>Lifting by the method {} ...</source>
+        <translation>{} の方法で立体にしています...</translation>
     </message>
     <message>
         <source>Line</source>
@@ -1106,6 +1114,10 @@
     <message>
         <source>Stopped; nothing is installed.</source>
         <translation>中止しました。何もインストールされていません。</translation>
+    </message>
+    <message>
+        <source>Stopping ...</source>
+        <translation>停止しています...</translation>
     </message>
     <message>
         <source>Straighten photo</source>
@@ -1692,6 +1704,10 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
     <message>
         <source>solve the sketch again</source>
         <translation>スケッチをもう一度解く</translation>
+    </message>
+    <message>
+        <source>stopped; recompute the lifted model to begin again</source>
+        <translation>停止しました。もう一度始めるには起こしたモデルを再計算してください</translation>
     </message>
     <message>
         <source>the Python package {0} is missing; install it with FreeCAD's Addon Manager, or with: {1} -m pip install --target {2} {0}</source>

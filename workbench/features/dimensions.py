@@ -25,6 +25,7 @@ from .dimension_names import (
     said,
 )
 from .dimension_words import Words
+from .methods import source_of
 from .properties import Editor
 from .proxy import is_edited
 
@@ -36,7 +37,7 @@ DRIVING, SHOWN, ANGLES = "Dimensions", "Shown dimensions", "Shown dimensions: an
 
 
 def driven_text(obj: Any) -> str:
-    """The sketch that a lifted model solves: its photo sketch's, with what expressions give.
+    """The source of a lifted model: its photo sketch's text with what expressions give, its method.
 
     Raises
     ------
@@ -53,7 +54,8 @@ def driven_text(obj: Any) -> str:
     graph = pipeline.graph_of(text) if given else None
     # What an expression gave to an element that is gone is taken away after the solve.
     there = tuple(pair for pair in given if _is_there(graph, pair[0]))
-    return pipeline.resized_text(text, there) if there else text
+    text = pipeline.resized_text(text, there) if there else text
+    return source_of(text, obj.Method)
 
 
 def _is_there(graph: Any, dimension: Dimension) -> bool:

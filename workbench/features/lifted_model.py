@@ -5,10 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from .. import host
-from ..problems import in_words, known_problems
+from ..problems import StoppedError, in_words, known_problems
 from . import pipeline
 from .dimension_names import is_dimension
 from .dimensions import driven_text, show_dimensions, take_edit
+from .methods import METHOD
 from .properties import OUTCOME, Editor, Property, fail, set_outcome
 from .proxy import Proxy, is_of_type
 
@@ -24,6 +25,7 @@ class LiftedModel(Proxy):
     TYPE = TYPE
     PROPERTIES = (
         Property("App::PropertyLink", "PhotoSketch", "Model", "The sketch that is lifted to 3D"),
+        METHOD,
         *OUTCOME,
         Property(
             "App::PropertyBool",
@@ -40,7 +42,11 @@ class LiftedModel(Proxy):
             set_outcome(obj, "no_sketch", host.translate("InContext", "choose a photo sketch"))
             return
         try:
+            pipeline.forget_stop(driven_text(obj))
             solution = solution_of(obj)
+        except StoppedError as error:
+            set_outcome(obj, "stopped", in_words(error))
+            return
         except known_problems() as error:
             fail(obj, "unreadable", in_words(error))
             return

@@ -12,7 +12,9 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from .. import host
+from ..problems import StoppedError
 from .dimension_names import Dimension, said
+from .methods import lift_slowly, parts_of
 
 if TYPE_CHECKING:
     from ...solver import Drag
@@ -30,10 +32,10 @@ REMEMBERED = 32
 
 @lru_cache(maxsize=REMEMBERED)
 def graph_of(sketch_text: str) -> SketchGraph:
-    """The graph that a sketch's text says; raises SketchError."""
+    """The graph that a sketch's text, or a source, says; raises SketchError."""
     from ...solver.serialise import sketch_from_text
 
-    return sketch_from_text(sketch_text)
+    return sketch_from_text(parts_of(sketch_text)[1])
 
 
 @lru_cache(maxsize=REMEMBERED)
@@ -47,15 +49,38 @@ def resized_text(sketch_text: str, values: tuple[tuple[Dimension, float], ...]) 
     return sketch_to_text(graph)
 
 
-#: Solutions by the text of their sketch, the oldest first.
+#: Solutions by their source, the oldest first.
 _solutions: dict[str, Solution] = {}
+#: Sources that a person did not wait for.
+_stopped: set[str] = set()
 
 
-def solution_of(sketch_text: str) -> Solution:
-    """The sketch lifted to 3D; raises SketchError where the text is no sketch."""
-    if sketch_text not in _solutions:
-        remember_solution(sketch_text, lift(graph_of(sketch_text)))
-    return _solutions[sketch_text]
+def solution_of(source: str) -> Solution:
+    """The sketch lifted to 3D by the method asked for.
+
+    Raises
+    ------
+    SketchError
+        Where the text is no sketch.
+    StoppedError
+        Where a person stopped it; it is not begun again before `forget_stop`.
+    """
+    if source in _stopped:
+        raise StoppedError
+    if source not in _solutions:
+        method, _ = parts_of(source)
+        graph = graph_of(source)
+        solution = lift(graph) if method is None else lift_slowly(graph, method)
+        if solution is None:
+            _stopped.add(source)
+            raise StoppedError
+        remember_solution(source, solution)
+    return _solutions[source]
+
+
+def forget_stop(source: str) -> None:
+    """What was stopped may be begun again."""
+    _stopped.discard(source)
 
 
 def known_solution_of(sketch_text: str) -> Solution | None:

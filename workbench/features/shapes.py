@@ -23,13 +23,16 @@ if TYPE_CHECKING:
 def solution_shape(solution: Solution, graph: SketchGraph) -> Any:
     """A compound of the lifted faces, of the edges that belong to none of them, and of circles.
 
-    Faces left out and things traced on the photo (construction) are not part of it.
+    Faces left out and things traced on the photo (construction) are not part of it. Slow methods
+    leave faces that are not quite flat: of those the edges are shown.
     """
-    faces = [face for face in solution.faces.values() if face.included]
-    parts = [_face([_points(loop, solution) for loop in face.loops]) for face in faces]
-    drawn = {
-        _pair(loop[i - 1], loop[i]) for f in faces for loop in f.loops for i in range(len(loop))
-    }
+    parts, drawn = [], set()
+    for face in (face for face in solution.faces.values() if face.included):
+        try:
+            parts.append(_face([_points(loop, solution) for loop in face.loops]))
+        except Part.OCCError:
+            continue
+        drawn |= {_pair(loop[i - 1], loop[i]) for loop in face.loops for i in range(len(loop))}
     for id_, ends in solution.edges.items():
         # A mirrored edge `e7@a5` is construction where `e7` is.
         if id_.split("@")[0] not in graph.construction and _pair(*ends) not in drawn:

@@ -16,6 +16,8 @@ from .freedoms import Freedoms
 NEARLY_SQUARE = 0.35
 #: What changes an angle by less than this does not fix it.
 LEAST_GAIN = 1e-3
+#: An edge shorter than this part of the distance has no direction.
+LEAST_LENGTH = 1e-9
 #: Of a tangle not all corners are looked at.
 MAX_CORNERS = 2000
 
@@ -59,7 +61,9 @@ def most_helpful_corner(
             break
         ends = [next(w for w in graph.edges[edge] if w != v) for edge in (e, f)]
         u, w = (X[index[end]] - X[index[v]] for end in ends)
-        lengths = [max(float(np.linalg.norm(x)), 1e-300) for x in (u, w)]
+        lengths = [float(np.linalg.norm(x)) for x in (u, w)]
+        if min(lengths) < LEAST_LENGTH * float(np.abs(X[:, 2]).max()):
+            continue
         cosine = float(u @ w) / (lengths[0] * lengths[1])
         if abs(cosine) > NEARLY_SQUARE:
             continue

@@ -79,6 +79,7 @@ def test_slow_document_is_patched_at_once_and_written_when_the_hand_rests(
     copy, shelf, document, monkeypatch
 ):
     monkeypatch.setattr(recovery, "PATIENCE_S", 0.0)
+    monkeypatch.setattr(recovery, "REST_MS", 300)
     recovery.keep(document)
     written, patched = [], []
     keep, patch = recovery.keep, recovery.patch

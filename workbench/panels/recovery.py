@@ -39,7 +39,7 @@ _CONTENT = "Document.xml"
 #: A document that takes longer to write is patched while the hand is at work.
 PATIENCE_S = 0.08
 #: The hand rests when nothing has changed for so long.
-REST_MS = 1000
+REST_MS = 5000
 #: Writing takes no more than this part of the time, however fast one edit follows the other.
 SHARE = 0.2
 

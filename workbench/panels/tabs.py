@@ -24,6 +24,8 @@ def show_tab(obj: Any) -> SketchController:
     SketchError
         Where the object's text is no sketch.
     """
+    from .tool_buttons import show_active_tool
+
     key = _key(obj)
     controller = _open.get(key)
     if controller is None:
@@ -34,6 +36,7 @@ def show_tab(obj: Any) -> SketchController:
     if subwindow is not None:
         mdi_area().setActiveSubWindow(subwindow)
     controller.tab.view.setFocus()
+    show_active_tool()
     return controller
 
 

@@ -10,10 +10,11 @@ mark
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cache
 
 import numpy as np
 import shapely
-from shapely.geometry import Polygon, box
+from shapely.geometry import Polygon
 
 from ...solver.values import Array
 from .joints import Joint
@@ -41,38 +42,54 @@ def edge_marks(plates: Sequence[Plate], joints: Sequence[Joint]) -> dict[str, li
     """
     holders = {face: plate for plate in plates for face in plate.face_ids}
     free = {plate.id: plate.polygon.buffer(-_CLEAR_MM, join_style="mitre") for plate in plates}
+    for polygon in free.values():
+        shapely.prepare(polygon)
     strokes: dict[str, list[Array]] = {plate.id: [] for plate in plates}
+    taken: dict[str, list[Array]] = {plate.id: [] for plate in plates}
     for number, joint in enumerate(joints, start=1):
         ends = (joint.meeting.one[0], joint.meeting.two[0])
         sides = [holders[face] for face in ends if face in holders]
-        spots = [_spot(plate, free[plate.id], joint, str(number)) for plate in sides]
+        text = str(number)
+        spots = [_spot(plate, free[plate.id], taken[plate.id], joint, text) for plate in sides]
         if len(sides) < 2 or any(spot is None for spot in spots):
             continue
         for plate, spot in zip(sides, spots, strict=True):
             assert spot is not None
-            strokes[plate.id] += text_strokes(str(number), spot, HEIGHT_MM)
-            room = _room(spot, str(number)).buffer(_CLEAR_MM, join_style="mitre")
-            free[plate.id] = free[plate.id].difference(room)
+            strokes[plate.id] += text_strokes(text, spot, HEIGHT_MM)
+            taken[plate.id].append(_rooms(np.array([spot]), text)[0])
     return strokes
 
 
-def _room(low: tuple[float, float], text: str) -> Polygon:
-    return box(*low, low[0] + text_width_mm(text, HEIGHT_MM), low[1] + HEIGHT_MM)
+@cache
+def _grid() -> Array:
+    """Places around a joint, the nearest first."""
+    steps = np.arange(-_REACH_MM, _REACH_MM + 1.0, 2.0)
+    grid = np.array(np.meshgrid(steps, steps)).reshape(2, -1).T
+    return np.asarray(grid[np.argsort(np.round(np.linalg.norm(grid, axis=1), 3), kind="stable")])
 
 
-def _spot(plate: Plate, free: Polygon, joint: Joint, text: str) -> tuple[float, float] | None:
+def _rooms(lows: Array, text: str) -> Array:
+    """The boxes of a mark by their lower left corners: x and y from, x and y to, (n, 4)."""
+    size = (text_width_mm(text, HEIGHT_MM), HEIGHT_MM)
+    return np.hstack([lows, lows + size])
+
+
+def _spot(
+    plate: Plate, free: Polygon, taken: Sequence[Array], joint: Joint, text: str
+) -> tuple[float, float] | None:
     """The lower left corner of a mark near its joint; None where there is no room."""
     place = plate.world_from_plate
     x, y, _ = (place[:3, :3].T @ (np.array(joint.meeting.middle_mm) - place[:3, 3])).tolist()
-    width = text_width_mm(text, HEIGHT_MM)
-    shapely.prepare(free)
-    steps = np.arange(-_REACH_MM, _REACH_MM + 1.0, 2.0)
-    grid = np.array(np.meshgrid(steps, steps)).reshape(2, -1).T
-    grid = grid[np.argsort(np.round(np.linalg.norm(grid, axis=1), 3), kind="stable")]
-    lows = np.add(grid, [x - width / 2, y - HEIGHT_MM / 2])
-    rooms = shapely.box(lows[:, 0], lows[:, 1], lows[:, 0] + width, lows[:, 1] + HEIGHT_MM)
-    fitting = np.flatnonzero(shapely.contains(free, rooms))
-    if not len(fitting):
-        return None
-    low = lows[fitting[0]]
-    return float(low[0]), float(low[1])
+    lows = np.add(_grid(), [x - text_width_mm(text, HEIGHT_MM) / 2, y - HEIGHT_MM / 2])
+    # Most find room at once.
+    for part in np.split(lows, (40, 200)):
+        rooms = _rooms(part, text)
+        for other in taken:
+            beside = (rooms[:, :2] >= other[2:] + _CLEAR_MM) | (
+                rooms[:, 2:] <= other[:2] - _CLEAR_MM
+            )
+            rooms = rooms[beside.any(axis=1)]
+        fitting = np.flatnonzero(shapely.contains(free, shapely.box(*rooms.T)))
+        if len(fitting):
+            return float(rooms[fitting[0], 0]), float(rooms[fitting[0], 1])
+    return None

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import shapely
-from shapely.geometry import Polygon, box
+from shapely.geometry import Polygon
 
 from ...solver.values import Array
 from .cut_paths import CutPath, cut_path
@@ -27,6 +27,8 @@ from .strokes import text_strokes, text_width_mm
 
 #: Heights of engraved names, mm; the largest that fits is taken.
 TEXT_HEIGHTS_MM = (8.0, 6.0, 5.0, 4.0, 3.0, 2.5)
+#: Between a name and the marks, mm.
+_CLEAR_MM = 1.5
 
 
 Marks = Mapping[str, Sequence[Array]]
@@ -173,24 +175,26 @@ def _part(path: CutPath, corner: Array, marks: Sequence[Array], *, turned: bool)
 def _name(text: str, outer: Array, inner: Sequence[Array], marks: Sequence[Array]) -> list[Array]:
     """Strokes of a name where it lies wholly within the part, near its middle."""
     free = Polygon(outer, inner).buffer(-1.0, join_style="mitre")
-    if marks:
-        taken = shapely.union_all([shapely.MultiPoint(mark).buffer(1.5) for mark in marks])
-        free = free.difference(taken)
     if free.is_empty:
         return []
     shapely.prepare(free)
+    middles = _spots(outer)
     for height in TEXT_HEIGHTS_MM:
-        width = text_width_mm(text, height)
-        for x, y in _spots(outer):
-            low = (x - width / 2, y - height / 2)
-            if free.contains(box(*low, x + width / 2, y + height / 2)):
-                return text_strokes(text, low, height)
+        half = np.array([text_width_mm(text, height), height]) / 2
+        rooms = np.hstack([middles - half, middles + half])
+        for mark in marks:
+            low, high = mark.min(axis=0) - _CLEAR_MM, mark.max(axis=0) + _CLEAR_MM
+            rooms = rooms[((rooms[:, :2] >= high) | (rooms[:, 2:] <= low)).any(axis=1)]
+        fitting = np.flatnonzero(shapely.contains(free, shapely.box(*rooms.T)))
+        if len(fitting):
+            x, y = rooms[fitting[0], :2].tolist()
+            return text_strokes(text, (x, y), height)
     return []
 
 
-def _spots(outer: Array) -> list[tuple[float, float]]:
+def _spots(outer: Array) -> Array:
     """Places in a part's bounding box, from its middle outwards."""
     low, high = outer.min(axis=0), outer.max(axis=0)
     shares = np.array([(x, y) for x in range(-4, 5) for y in range(-4, 5)]) / 10.0
     shares = shares[np.argsort(np.round(np.linalg.norm(shares, axis=1), 6), kind="stable")]
-    return [(float(x), float(y)) for x, y in low + (0.5 + shares) * (high - low)]
+    return np.asarray(low + (0.5 + shares) * (high - low))

@@ -22,6 +22,7 @@ COLOURS = 160
 SHELF = (440.0, 190.0, 720.0, 790.0)
 MUG = (330.0, 440.0, 300.0, 260.0)
 TABLE = (130.0, 210.0, 1030.0, 770.0)
+MARKER_VIEW = (840.0, 720.0, 600.0, 440.0)
 #: The mug in the photo: centres and half widths of its base and rim, and of a knob over it.
 BASE, RIM, KNOB = (484, 645, 55, 24), (472, 536, 59, 24), (469, 489, 17, 7)
 
@@ -188,13 +189,56 @@ def annotating_tools(shelf):
 
 
 def camera_tool(shelf):
-    """The tool that finds the camera."""
+    """The tool that finds the camera, at a marker on the table."""
     from incontext.solver.graph import SketchGraph
 
-    p = Picture(SketchGraph(photo=shelf.photo), SHELF, solved=False).use("camera")
-    for name in ("v1", "v2", "v3"):
-        p.click(shelf.vertices[name])
-    p.move(shelf.vertices["v4"]).save("camera")
+    p = Picture(SketchGraph(photo=shelf.photo), MARKER_VIEW, solved=False)
+    image, corners = _with_marker()
+    p.view.set_photo(image, (1600.0, 1200.0))
+    p.use("camera")
+    for corner in corners[:3]:
+        p.click(tuple(corner))
+    p.move(tuple(corners[3])).save("camera")
+
+
+def _with_marker():
+    """The example's photo with a printed marker in it, and where its corners are seen."""
+    import json
+
+    from PySide import QtCore, QtGui
+
+    from incontext.solver.camera import Camera
+    from incontext.workbench.canvas.photo import load_photo
+    from incontext.workbench.marker_sheet import FIELDS, PATTERN
+
+    told = json.loads((EXAMPLE / "truth.json").read_text())["camera"]
+    del told["image_size_px"]
+    # Fields of the marker on the table, its middle there, turned a little.
+    turn = np.radians(20.0)
+    along = np.array([np.cos(turn), np.sin(turn), 0.0]) * 100.0 / FIELDS
+    across = np.array([-np.sin(turn), np.cos(turn), 0.0]) * 100.0 / FIELDS
+    corner = np.array([345.0, 25.0, 0.0]) - FIELDS / 2 * (along + across)
+    square = [(0, 0), (FIELDS, 0), (FIELDS, FIELDS), (0, FIELDS)]
+    seen = Camera(**told).project([corner + x * along + y * across for x, y in square])
+    polygons = [
+        QtGui.QPolygonF([QtCore.QPointF(float(x), float(y)) for x, y in places])
+        for places in (square, seen)
+    ]
+    way = QtGui.QTransform()
+    assert QtGui.QTransform.quadToQuad(*polygons, way)
+    image = load_photo(EXAMPLE / "desk.jpg").convertToFormat(QtGui.QImage.Format_RGB32)
+    painter = QtGui.QPainter(image)
+    painter.setRenderHint(QtGui.QPainter.Antialiasing)
+    painter.setTransform(way)
+    painter.fillRect(QtCore.QRectF(-1.5, -1.5, FIELDS + 3, FIELDS + 3), QtGui.QColor("#f1efe9"))
+    painter.fillRect(QtCore.QRectF(0, 0, FIELDS, FIELDS), QtGui.QColor("#26241f"))
+    fields = QtGui.QPainterPath()
+    for row, line in enumerate(reversed(PATTERN)):
+        for column in (k for k, bit in enumerate(line) if bit == "1"):
+            fields.addRect(1 + column, 1 + row, 1, 1)
+    painter.fillPath(fields.simplified(), QtGui.QColor("#f1efe9"))
+    painter.end()
+    return image, seen.tolist()
 
 
 def _without_length(shelf):

@@ -1,6 +1,8 @@
 """Photos as people see them."""
 
+import struct
 import time
+import zlib
 from pathlib import Path
 
 import pytest
@@ -57,6 +59,20 @@ def test_what_is_no_photo_is_told_with_what_would_be(tmp_path):
     with pytest.raises(PhotoError, match=r"read here are .*JPEG.*PNG"):
         photo_size(path)
     assert {"BMP", "JPEG", "PNG"} <= set(readable_formats())
+
+
+@pytest.mark.parametrize("read", [load_photo, photo_size])
+def test_what_would_fill_the_machine_is_refused(tmp_path, read):
+    head = struct.pack(">IIBBBBB", 60_000, 60_000, 8, 2, 0, 0, 0)
+    chunks = ((b"IHDR", head), (b"IDAT", zlib.compress(bytes(1000))), (b"IEND", b""))
+    data = b"".join(
+        struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+        for kind, body in chunks
+    )
+    path = tmp_path / "bomb.png"
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + data)
+    with pytest.raises(PhotoError, match="3600 megapixels, more than 200"):
+        read(path)
 
 
 @pytest.mark.parametrize("width", [60, 6000])

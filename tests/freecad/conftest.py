@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-collect_ignore = ["decoy_addon"]
+collect_ignore = ["decoy_addon", "decoy_again"]
 if importlib.util.find_spec("FreeCAD") is None:
     collect_ignore_glob = ["test_*.py"]
 else:

@@ -37,6 +37,23 @@ def test_modules_are_ours_beside_an_addon_with_the_same_names():
     assert "solver" not in sys.modules
 
 
+def test_two_other_addons_with_our_names_change_nothing(shelf, document, tmp_path):
+    """Whichever of them comes first on the path, and though one loads its own `solver`."""
+    path, answer = tmp_path / "shelf.FCStd", tmp_path / "answer.json"
+    document.saveCopy(str(path))
+    launch = Launch(
+        call="incontext.tests.freecad.fresh_process:reopen",
+        home=tmp_path / "home",
+        arguments=[str(answer), str(path)],
+        window=False,
+        addons=tuple(ROOT / "tests" / "freecad" / name for name in ("decoy_addon", "decoy_again")),
+    )
+    assert run(launch) == 0
+    found = json.loads(answer.read_text())
+    assert all(name.startswith("incontext.workbench.features.") for name in found["modules"])
+    assert found["recomputed"]["volume"] == pytest.approx(found["stored"]["volume"], rel=1e-9)
+
+
 def test_own_packages_come_before_those_of_the_system():
     import pyparsing
 

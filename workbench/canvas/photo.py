@@ -10,6 +10,8 @@ from .qt import QtCore, QtGui
 PHOTO_FORMATS = ("BMP", "GIF", "HEIC", "JPEG", "PNG", "TIFF", "WEBP")
 #: A photo of more px than this is read in the background.
 LARGE_PX = 16_000_000
+#: Larger ones are refused before memory is taken for them: 200 megapixels are 800 MB.
+MAX_PX = 200_000_000
 
 
 class PhotoError(ValueError):
@@ -75,6 +77,11 @@ def _reader(path: str | Path) -> QtGui.QImageReader:
     if hasattr(reader, "setAllocationLimit"):
         # Qt 6 refuses what Qt 5 opened: a photo of 64 megapixels is 256 MB decoded.
         type(reader).setAllocationLimit(0)
+    size = reader.size()
+    if size.isValid() and size.width() * size.height() > MAX_PX:
+        megapixels = size.width() * size.height() // 1_000_000
+        words = f"the photo {Path(path).name} has {megapixels} megapixels"
+        raise PhotoError(f"{words}, more than {MAX_PX // 1_000_000}; try: a smaller copy of it")
     return reader
 
 

@@ -1,0 +1,3 @@
+"""Another addon's solver; harmless, but not ours."""
+
+NOT_OURS = True

@@ -17,7 +17,9 @@ from incontext.solver.graph import SketchGraph
 from incontext.solver.parsing import check_references
 from incontext.solver.serialise import sketch_from_text, sketch_to_text
 from incontext.workbench.canvas.drawing import Drawing, Listener
+from incontext.workbench.canvas.key_cursor import KeyCursor
 from incontext.workbench.canvas.marks import marks_of
+from incontext.workbench.canvas.said import on_photo, symbol_of
 from incontext.workbench.canvas.solved import Solved
 from incontext.workbench.canvas.tools import TOOLS
 from incontext.workbench.canvas.tools.base import Pointer
@@ -29,6 +31,7 @@ PLACES = st.tuples(st.integers(30, 50), st.integers(16, 44)).map(
     lambda p: (10.0 * p[0], 10.0 * p[1])
 )
 REACH_PX = 9.0
+KEYS = ["finish", "enter", "escape", "delete", "select_all", "toggle_construction"]
 
 
 def shelf():
@@ -50,6 +53,7 @@ class Hands(RuleBasedStateMachine):
         listener = Listener(self._edited, asked=self.asked.append)
         self.drawing = Drawing(self.steps[0], listener)
         self.drawing.set_solved(SOLVED if solved else None)
+        self.cursor = KeyCursor(self.drawing)
 
     def _edited(self, graph, words):
         assert graph != self.steps[self.now]
@@ -92,11 +96,25 @@ class Hands(RuleBasedStateMachine):
     def press_and_never_release(self, place):
         self.drawing.press(self._pointer(place))
 
-    @rule(what=st.sampled_from(["finish", "escape", "delete", "select_all", "toggle_construction"]))
+    @rule(what=st.sampled_from(KEYS))
     def key(self, what):
         before = self.now
         getattr(self.drawing, what)()
         assert self.now <= before + 1
+
+    @rule(way=st.sampled_from([1, -1]), clicks=st.booleans())
+    def tab(self, way, clicks):
+        before = self.now
+        place = self.cursor.go_on(way, self._pointer((0.0, 0.0)))
+        if clicks and place is not None:
+            self.cursor.click(self._pointer(place))
+        # What was begun by clicks may be ended.
+        assert self.now <= before + 2
+
+    @rule()
+    def switch_the_grid(self):
+        attraction = self.drawing.attraction
+        attraction.grid_shown = not attraction.grid_shown
 
     @rule(by_px=st.sampled_from([(1.0, 0.0), (-40.0, 30.0), (0.25, 0.25)]))
     def push(self, by_px):
@@ -135,6 +153,8 @@ class Hands(RuleBasedStateMachine):
             check_references(graph)
             marks_of(graph)
             rings_of(graph)
+            places = on_photo(graph, self.drawing.marks, 1.0)
+            assert all(symbol_of(places, id_) is not None for id_ in graph.annotations)
             assert self.drawing.preview is not None
             assert self.drawing.tool.hint
             chosen = self.drawing.selection

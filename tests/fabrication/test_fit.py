@@ -199,6 +199,21 @@ def test_a_print_over_a_cylinder():
             assert fit.overlaps[0].missing_mm == pytest.approx(missing, abs=0.03)
 
 
+@pytest.mark.parametrize(("at", "missing"), [(88.0, 2.0), (90.0, None), (95.0, None)])
+def test_a_wall_of_which_only_the_surface_is_traced(at, missing):
+    wall = {"a": (-99, at, -5), "b": (300, at, -5), "c": (300, at, 400), "d": (-99, at, 400)}
+    (fit,) = checked(things_of(wall, [("a", "b"), ("b", "c"), ("c", "d"), ("d", "a")])).fits
+    assert fit.thing.kind == "surface"
+    if missing is None:
+        assert fit.fits
+        assert fit.clearance_mm == pytest.approx(at - 90.0, abs=0.01)
+    else:
+        reach = {o.part_id: o.missing_mm for o in fit.overlaps}
+        assert reach.pop("back") == pytest.approx(1.0, abs=0.01)
+        assert len(reach) == 5
+        assert all(size == pytest.approx(missing, abs=0.01) for size in reach.values())
+
+
 @pytest.mark.parametrize("printed", [False, True])
 def test_a_book_on_the_desk_will_stand_on_the_floor_of_the_shelf(printed):
     """As the paper's books do: they were there before the shelf had a bottom."""

@@ -6,7 +6,8 @@ overlap
     What a part and a thing share; there both cannot be.
 missing
     How far the thing reaches into the part, mm: for a plate the least way out of it, along its
-    normal or in its plane; for a print the width of the overlap, which is at least so much.
+    normal or in its plane; for a print the width of the overlap, which is at least so much. Of
+    flat things it is how far the part reaches through them.
 clearance
     The shortest distance between a thing and the object.
 room
@@ -29,7 +30,7 @@ from shapely.geometry import MultiPoint
 from ...solver.values import Array
 from .parts_in_space import Part, corners, in_words, whole
 from .plates import Plate
-from .things import Thing
+from .things import FLAT_MM, Thing
 
 #: Nearer than this is touching, and less overlap is none, mm.
 TOUCH_MM = 0.05
@@ -199,11 +200,30 @@ def _overlap(part: Part, thing: Thing) -> Overlap | None:
     body = manifold3d.Manifold.batch_boolean(shared, manifold3d.OpType.Add)
     if body.is_empty() or body.volume() <= 0:
         return None
-    if part.plate is not None:
+    if thing.kind == "surface":
+        missing = max(_beyond(part, sheet) for sheet in thing.bodies)
+    elif part.plate is not None:
         missing = max(_into_plate(part.plate, one, body) for one in thing.bodies)
     else:
         missing = max(_width(corners([one])) for one in body.decompose())
     return Overlap(part.id, body.volume(), missing, body) if missing > TOUCH_MM else None
+
+
+def _beyond(part: Part, sheet: manifold3d.Manifold) -> float:
+    """How far a part reaches through a flat thing: on the side on which less of it is.
+
+    A lone line is in nobody's way; it only has its clearance.
+    """
+    points = corners([sheet])
+    middle = points.mean(axis=0)
+    _, _, axes = np.linalg.svd(points - middle, full_matrices=False)
+    if np.ptp((points - middle) @ axes[1]) < 4 * FLAT_MM:
+        return 0.0
+    normal = axes[2]
+    tall = np.eye(3) + (2 * FAR_MM / FLAT_MM - 1) * np.outer(normal, normal)
+    column = sheet.transform(np.column_stack([tall, middle - tall @ middle]))
+    heights = (corners([part.body ^ column]) - middle) @ normal
+    return float(min(heights.max(), -heights.min())) if len(heights) else 0.0
 
 
 def _into_plate(plate: Plate, thing: manifold3d.Manifold, shared: manifold3d.Manifold) -> float:

@@ -46,6 +46,8 @@ DOUBTFUL_RMS, CLOSER_LOOK_RMS, SMALL_LOOK_RMS = 0.03, 0.012, 0.0095
 SUSPICIOUS = 12.0
 #: Further from the drawing than this nobody draws: an annotation that asks for it is not true.
 GROSS_RMS = 0.03
+#: So many are named where none is proved to be false.
+MOST_SUSPECTS = 3
 #: Iterations from a shape that is known already.
 NEAR_ITERATIONS = 40
 #: Constraints whose residuals (radians, parts of a length) are below this hold.
@@ -227,6 +229,17 @@ def _blame(
     if whole.converged and (wish or whole.rms < GROSS_RMS):
         return Blame(ids, f"Solved, but {_or(ids)} contradicts the drawing: {missed}.", True)
     return Blame(ids, f"{_or(ids)} contradicts the rest: {missed}. Solved without {ids[0]}.", False)
+
+
+def suspicion(graph: SketchGraph, lifted: Candidate) -> Blame | None:
+    """What to look at first where the drawing is grossly missed and nothing explains why."""
+    rms = reading_of(graph, lifted).rms
+    relaxed = relax(graph, lifted.problem, lifted.minimum.x, lost=True) if rms > GROSS_RMS else None
+    if relaxed is None or not relaxed.suspects:
+        return None
+    ids = tuple(s.id for s in relaxed.suspects[:MOST_SUSPECTS])
+    px = rms * drawn_diagonal(lifted.problem) * lifted.problem.px_per_unit
+    return Blame(ids, f"Solved, but the drawing is missed by {px:.0f} px: check {_or(ids)}.", True)
 
 
 def blame_for_clash(graph: SketchGraph, attempt: Callable[[str], Reading | None]) -> Blame:

@@ -30,6 +30,7 @@ from .blaming import (
     is_settled,
     needs_a_closer_look,
     reading_of,
+    suspicion,
 )
 from .blas_threads import one_blas_thread
 from .camera import Camera
@@ -247,6 +248,8 @@ def _lift_or_blame(
     lifted = lift(core, structure, stop) if lifted.doubtful else lifted
     if lifted is not None and not is_settled(lifted):
         lifted = rescued(core, lifted, stop) or lifted
+    if lifted is not None and blamed is None and is_settled(lifted):
+        blamed = suspicion(core, lifted)
     return lifted, blamed
 
 

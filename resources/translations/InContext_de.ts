@@ -1076,6 +1076,10 @@
         <translation>Gelöst, aber die Zeichnung wird um {} px verfehlt: bitte die Angaben mit ihr vergleichen.</translation>
     </message>
     <message>
+        <source>Solved, but the drawing is missed by {} px: check {}.</source>
+        <translation>Gelöst, aber die Zeichnung wird um {} px verfehlt: bitte {} prüfen.</translation>
+    </message>
+    <message>
         <source>Solved, but {} contradicts the drawing, which is missed by {} px.</source>
         <translation>Gelöst, aber {} widerspricht der Zeichnung, die um {} px verfehlt wird.</translation>
     </message>

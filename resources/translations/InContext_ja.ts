@@ -1076,6 +1076,10 @@
         <translation>解けましたが、線画と {} px ずれています。注釈を線画と見比べてください。</translation>
     </message>
     <message>
+        <source>Solved, but the drawing is missed by {} px: check {}.</source>
+        <translation>解けましたが、線画と {} px ずれています。{} を確かめてください。</translation>
+    </message>
+    <message>
         <source>Solved, but {} contradicts the drawing, which is missed by {} px.</source>
         <translation>解けましたが、{} は線画と矛盾し、線画と {} px ずれています。</translation>
     </message>

@@ -19,6 +19,7 @@ SENTENCES = (
     "Solved, with a usual focal length assumed: the drawing does not tell it.",
     "Solved, with what is drawn nearly square taken to be square: mark right angles where it is.",
     "Solved, but the drawing is missed by {} px: check the annotations against it.",
+    "Solved, but the drawing is missed by {} px: check {}.",
     "Solved, but a second shape, with near and far exchanged, fits as well: mark what stands on "
     "the ground, or ask for the twin.",
     "Solved, but {} contradicts the drawing, which is missed by {} px.",

@@ -138,7 +138,7 @@ def _solve(
         return _without_culprit(graph, core, effort)
     if structure.n_coordinates > MAX_COORDINATES:
         return _too_free(graph, f"{structure.n_coordinates} coordinates are free")
-    conditions = sum(len(block.items) for block in build_problem(core, structure).blocks)
+    conditions = _conditions(core, structure)
     if conditions * structure.n_coordinates > MAX_NUMBERS:
         n = structure.n_coordinates
         return _too_free(graph, f"{conditions} conditions on {n} coordinates are left")
@@ -152,6 +152,10 @@ def _solve(
         return _lost(graph)
     tell(0.9, "describing what was found")
     return _describe(graph, core, _reading_asked_for(core, lifted, effort, twin=twin), blamed)
+
+
+def _conditions(core: SketchGraph, structure: Structure) -> int:
+    return sum(len(block.items) for block in build_problem(core, structure).blocks)
 
 
 def _reading_asked_for(core: SketchGraph, lifted: Lifted, stop: Stop, *, twin: bool) -> Lifted:
@@ -195,12 +199,12 @@ def _nothing_to_lift(graph: SketchGraph) -> str | None:
     return None
 
 
-def _without_culprit(graph: SketchGraph, core: SketchGraph, stop: Stop) -> Solution:
+def _without_culprit(graph: SketchGraph, core: SketchGraph, effort: Effort) -> Solution:
     """What follows from annotations that cannot all hold: the shape without the culprit."""
     kept: dict[str, Lifted] = {}
 
     def attempt(id_: str) -> Reading | None:
-        lifted = _lift_without(core, id_, stop)
+        lifted = _lift_without(core, id_, effort)
         if lifted is None or lifted.doubtful:
             return None
         kept[id_] = lifted
@@ -208,46 +212,50 @@ def _without_culprit(graph: SketchGraph, core: SketchGraph, stop: Stop) -> Solut
 
     blamed = blame_for_clash(core, attempt)
     first = blamed.ids[0]
-    lifted = kept.get(first) or _lift_without(core, first, stop)
+    lifted = kept.get(first) or _lift_without(core, first, effort)
     if lifted is None or lifted.doubtful:
         report = Report(conflicts=blamed.ids)
         return Solution(graph, Status.CONFLICTING, blamed.message, report=report)
     return _describe(graph, core, lifted, blamed)
 
 
-def _lift_without(core: SketchGraph, id_: str, stop: Stop) -> Lifted | None:
+def _lift_without(core: SketchGraph, id_: str, effort: Effort) -> Lifted | None:
     rest = without(core, id_)
     structure = build_structure(rest)
     if structure.contradiction or structure.n_coordinates > MAX_COORDINATES:
         return None
-    return lift(rest, structure, stop, wary=True)
+    conditions = _conditions(rest, structure)
+    if conditions * structure.n_coordinates > MAX_NUMBERS:
+        return None
+    effort.weigh(structure.n_coordinates + conditions)
+    return lift(rest, structure, effort, wary=True)
 
 
 def _lift_or_blame(
-    core: SketchGraph, structure: Structure, stop: Stop
+    core: SketchGraph, structure: Structure, effort: Effort
 ) -> tuple[Lifted | None, Blame | None]:
     """The shape, or where an annotation contradicts the drawing grossly the shape without it."""
-    lifted = lift_as_guessed(core, structure, stop) or lift(core, structure, stop, wary=True)
+    lifted = lift_as_guessed(core, structure, effort) or lift(core, structure, effort, wary=True)
     if lifted is None or _is_fine(core, lifted):
         return lifted, None
     blamed = None
     for lost in (False, True)[lifted.doubtful :]:
-        blamed = blamed or find_blame(core, lifted, stop, lost=lost)
+        blamed = blamed or find_blame(core, lifted, effort, lost=lost)
     if blamed is None and reading_of(core, lifted).rms > GROSS_RMS:
-        afresh = partial(_lift_without, core, stop=stop)
-        blamed = find_blame(core, lifted, stop, lost=True, afresh=afresh)
-    wished = _as_wished(core, structure, lifted, blamed, stop)
+        afresh = partial(_lift_without, core, effort=effort)
+        blamed = find_blame(core, lifted, effort, lost=True, afresh=afresh)
+    wished = _as_wished(core, structure, lifted, blamed, effort)
     if wished is not None:
         return wished
     other = None
     if blamed is not None and not blamed.held:
-        other = _lift_without(core, blamed.ids[0], stop)
+        other = _lift_without(core, blamed.ids[0], effort)
     if other is not None and not other.doubtful:
         return other, blamed
     # What was found at first sight only is finished.
-    lifted = lift(core, structure, stop) if lifted.doubtful else lifted
+    lifted = lift(core, structure, effort) if lifted.doubtful else lifted
     if lifted is not None and not is_settled(lifted):
-        lifted = rescued(core, lifted, stop) or lifted
+        lifted = rescued(core, lifted, effort) or lifted
     if lifted is not None and blamed is None and is_settled(lifted):
         blamed = suspicion(core, lifted)
     return lifted, blamed

@@ -110,6 +110,15 @@ TANGLES = {
         path_of(200),
         {"a": {"kind": "equal_length", "edges": [f"e{k}" for k in range(199)]}},
     ),
+    "all parallel and square": (
+        100,
+        complete(100),
+        {
+            "p": {"kind": "parallel", "edges": list(complete(100))[1:4000]},
+            "q": {"kind": "parallel", "edges": list(complete(100))[2500:]},
+            "r": {"kind": "right_angle", "at": "v99", "between": ["e99_1", "e99_2"]},
+        },
+    ),
     "vertices alone": (40_000, path_of(5), {}),
 }
 

@@ -1,8 +1,5 @@
 """Renders the photo of the bookshelf example: six volumes of a set on a wooden desk by a window.
 
-    blender -b -noaudio --python resources/scenes/bookshelf.py -- OUT.jpg [--samples N] [--width W]
-        [--truth truth.json]
-
 Everything is procedural and seeded.  Lengths are millimetres (made metres once, in common.metres).
 World frame: z up, the table top at z = 0, x along the row of books, y to the back; the row's box
 starts at the origin and its spines face -y.
@@ -104,19 +101,16 @@ def light_room():
 
 def main():
     wanted = common.parse_arguments("The bookshelf example's photo")
-    scene = common.empty_scene()
+    common.empty_scene()
     build_room()
     build_books()
     build_other_things()
     light_room()
-    CAMERA.add_to_scene()
+    about = "The true camera and books of desk.jpg, kept for checking a reconstruction only."
+    books = {"height_mm": HIGH, "depth_mm": DEEP, "width_mm": WIDE}
+    books["corners_world_mm"] = common.box_corners((0.0, 0.0, 0.0), (WIDE, DEEP, HIGH))
     tone = {"exposure": 0.2, "look": "Medium High Contrast"}
-    common.render_jpeg(scene, wanted.out, wanted.width, wanted.samples, **tone)
-    if wanted.truth:
-        about = "The true camera and books of desk.jpg, kept for checking a reconstruction only."
-        books = {"height_mm": HIGH, "depth_mm": DEEP, "width_mm": WIDE}
-        books["corners_world_mm"] = common.box_corners((0.0, 0.0, 0.0), (WIDE, DEEP, HIGH))
-        common.write_truth(wanted.truth, about, CAMERA, scene, books=books)
+    common.finish(wanted, CAMERA, about, books=books, **tone)
 
 
 main()

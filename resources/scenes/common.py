@@ -1,18 +1,22 @@
 """Shared by the example scenes: command line, meshes, lights, camera, JPEG writing, ground truth.
 
-Runs inside Blender 3.4 (its own Python), never inside FreeCAD.  All lengths given to these
+Runs inside Blender 3.4 to 4.2 (`blender -b -noaudio --python SCENE.py -- OUT.jpg`) or with the
+`bpy` package (`python SCENE.py -- OUT.jpg`), never inside FreeCAD.  All lengths given to these
 functions are millimetres, z up; they become Blender's metres in one place only, `metres`.
 """
 
 import argparse
 import json
 import math
+import struct
 import sys
 from dataclasses import dataclass
 from pathlib import Path
 
+import bpy  # first: as a package it brings the other two
+
+# isort: split
 import bmesh
-import bpy
 from mathutils import Matrix, Vector
 
 MM = 0.001  # one millimetre in Blender units
@@ -31,7 +35,7 @@ def parse_arguments(about):
     parser = argparse.ArgumentParser(description=about)
     parser.add_argument("out", type=Path, help="JPEG to write")
     parser.add_argument("--samples", type=int, default=150, help="most samples a pixel gets")
-    parser.add_argument("--width", type=int, default=1600, help="pixels; the picture is 4:3")
+    parser.add_argument("--width", type=int, default=1600, help="pixels of the longer side")
     parser.add_argument("--truth", type=Path, help="also write the true camera here (JSON)")
     return parser.parse_args(words)
 
@@ -58,8 +62,11 @@ def add_mesh(name, vertices, faces, material, bevel=0.0, smooth_degrees=40):
     tidy.free()
     mesh.materials.append(material)
     mesh.polygons.foreach_set("use_smooth", [True] * len(mesh.polygons))
-    mesh.use_auto_smooth = True
-    mesh.auto_smooth_angle = math.radians(smooth_degrees)
+    if hasattr(mesh, "use_auto_smooth"):
+        mesh.use_auto_smooth = True
+        mesh.auto_smooth_angle = math.radians(smooth_degrees)
+    else:  # from Blender 4.1 on
+        mesh.set_sharp_from_angle(angle=math.radians(smooth_degrees))
     thing = bpy.data.objects.new(name, mesh)
     bpy.context.scene.collection.objects.link(thing)
     if bevel:
@@ -100,8 +107,8 @@ def add_lathe(name, profile, material, segments=96):
     return add_mesh(name, vertices, faces, material)
 
 
-def add_tube(name, path, radius, material):
-    """A round tube (mm) along a smooth curve through the given points."""
+def add_tube(name, path, radius, material, taper=None, closed=False):
+    """A round tube (mm) along a smooth curve; `taper` is its radius at each point, in parts."""
     curve = bpy.data.curves.new(name, "CURVE")
     curve.dimensions = "3D"
     curve.bevel_depth = metres(radius)
@@ -109,8 +116,9 @@ def add_tube(name, path, radius, material):
     curve.resolution_u = 16
     spline = curve.splines.new("BEZIER")
     spline.bezier_points.add(len(path) - 1)
-    for knot, point in zip(spline.bezier_points, path, strict=True):
-        knot.co = metres(point)
+    spline.use_cyclic_u = closed
+    for knot, point, share in zip(spline.bezier_points, path, taper or [1] * len(path), strict=True):
+        knot.co, knot.radius = metres(point), share
         knot.handle_left_type = knot.handle_right_type = "AUTO"
     curve.materials.append(material)
     thing = bpy.data.objects.new(name, curve)
@@ -181,10 +189,11 @@ def set_room_fill(colour, strength):
 
 @dataclass
 class Camera:
-    """An upright pinhole camera looking at `target` (mm) from `distance` mm away.
+    """A pinhole camera looking at `target` (mm) from `distance` mm away.
 
     `turn` is how far it stands to the right of straight in front (looking to +y), `elevation` how
-    far above, both in degrees; `view` is the horizontal field of view in degrees.
+    far above, both in degrees; `view` is the horizontal field of view of the upright photo in
+    degrees.  `shift` moves the principal point from the photo's middle, px (a cropped photo).
     """
 
     target: tuple
@@ -192,6 +201,8 @@ class Camera:
     turn: float
     elevation: float
     view: float
+    size_px: tuple = (1600, 1200)
+    shift: tuple = (0.0, 0.0)
 
     def position(self):
         turn, up = math.radians(self.turn), math.radians(self.elevation)
@@ -205,24 +216,33 @@ class Camera:
         return Matrix((right, forward.cross(right), forward))
 
     def add_to_scene(self):
+        """A camera held upright, or turned on its side for a portrait (see `render_jpeg`)."""
+        portrait = self.size_px[1] > self.size_px[0]
         lens = bpy.data.cameras.new("camera")
+        wide = max(self.size_px)
         lens.sensor_fit = "HORIZONTAL"
-        lens.angle = math.radians(self.view)
+        lens.angle = 2 * math.atan(wide / 2 / self.focal_px())
         lens.clip_start, lens.clip_end = 0.01, 100
+        lens.shift_x, lens.shift_y = -self.shift[0] / wide, self.shift[1] / wide
         thing = bpy.data.objects.new("camera", lens)
         right, down, forward = self.rotation()
+        if portrait:  # the camera's top points to the left
+            right, down = down, -right
         axes = Matrix((right, -down, -forward)).transposed().to_4x4()
         thing.matrix_world = Matrix.Translation(metres(self.position())) @ axes
         bpy.context.scene.collection.objects.link(thing)
         bpy.context.scene.camera = thing
 
-    def truth(self, width, height):
+    def focal_px(self):
+        return self.size_px[0] / 2 / math.tan(math.radians(self.view) / 2)
+
+    def truth(self):
         """x_cam = R @ x_world + t in mm, u = focal * x / z + cx; (0, 0) is the top-left corner."""
-        rotation = self.rotation()
+        rotation, (width, height) = self.rotation(), self.size_px
         return {
             "image_size_px": [width, height],
-            "focal_px": width / 2 / math.tan(math.radians(self.view) / 2),
-            "principal_point_px": [width / 2, height / 2],
+            "focal_px": self.focal_px(),
+            "principal_point_px": [width / 2 + self.shift[0], height / 2 + self.shift[1]],
             "rotation_cam_from_world": [list(row) for row in rotation],
             "translation_cam_from_world_mm": list(-(rotation @ self.position())),
         }
@@ -241,30 +261,56 @@ def box_corners(low, high):
     }
 
 
-def write_truth(path, about, camera, scene, **things):
+def write_truth(path, about, camera, **things):
     """What the photo really shows, for checking a reconstruction and nothing else."""
-    size = scene.render.resolution_x, scene.render.resolution_y
-    truth = {"about": about, "camera": camera.truth(*size), **things}
+    truth = {"about": about, "camera": camera.truth(), **things}
     path.write_text(json.dumps(truth, indent=1) + "\n", encoding="utf-8")
 
 
-def render_jpeg(scene, out, width, samples, exposure=0.0, look="None", quality=90):
-    """Render 4:3 with Cycles on the CPU and write a JPEG that carries no stamps."""
+def finish(wanted, camera, about, exposure=0.0, look="None", exif=None, **things):
+    """Render the scene as seen by the camera, and write the truth if that is wanted."""
+    camera.add_to_scene()
+    share = wanted.width / max(camera.size_px)
+    size = [round(share * side) for side in camera.size_px]
+    render_jpeg(wanted.out, size, wanted.samples, exposure, look)
+    portrait = camera.size_px[1] > camera.size_px[0]
+    if exif or portrait:
+        jpeg = wanted.out.read_bytes()
+        wanted.out.write_bytes(with_exif(jpeg, 6 if portrait else 1, exif or 0))
+    if wanted.truth:
+        write_truth(wanted.truth, about, camera, **things)
+
+
+def render_jpeg(out, size_px, samples, exposure=0.0, look="None", quality=88):
+    """Render with Cycles on the CPU and write a JPEG that carries no stamps.
+
+    A portrait is written lying on its side, as cameras do.
+    """
+    scene = bpy.context.scene
     scene.render.engine = "CYCLES"
     scene.cycles.samples = samples
     scene.cycles.use_adaptive_sampling = True
     scene.cycles.adaptive_threshold = 0.012
-    scene.cycles.use_denoising = False  # Debian's Blender has no denoiser: enough samples instead
+    try:
+        scene.cycles.denoiser = "OPENIMAGEDENOISE"
+        scene.cycles.use_denoising = True
+    except TypeError:  # Debian's Blender has no denoiser: take many samples instead
+        scene.cycles.use_denoising = False
     scene.cycles.seed = 1
     scene.cycles.sample_clamp_indirect = 3
     scene.cycles.blur_glossy = 0.5
     scene.cycles.caustics_reflective = scene.cycles.caustics_refractive = False
     scene.cycles.max_bounces = 4
     scene.view_settings.view_transform = "Filmic"
-    scene.view_settings.look = look
+    for name in (look, f"Filmic - {look}"):
+        try:
+            scene.view_settings.look = name
+        except TypeError:
+            continue
+        break
     scene.view_settings.exposure = exposure
     render = scene.render
-    render.resolution_x, render.resolution_y = width, width * 3 // 4
+    render.resolution_x, render.resolution_y = max(size_px), min(size_px)
     render.resolution_percentage = 100
     for setting in dir(render):
         if setting.startswith("use_stamp"):
@@ -274,6 +320,25 @@ def render_jpeg(scene, out, width, samples, exposure=0.0, look="None", quality=9
     render.filepath = str(out.resolve())
     bpy.ops.render.render(write_still=True)
     out.write_bytes(without_comments(out.read_bytes()))
+
+
+def with_exif(jpeg, orientation, focal_35mm):
+    """The same JPEG with what a camera notes: how it was held, its 35 mm equivalent (0: not)."""
+
+    def entry(tag, kind, value):
+        return struct.pack(">HHI", tag, kind, 1) + (
+            struct.pack(">HH", value, 0) if kind == 3 else struct.pack(">I", value)
+        )
+
+    entries = [entry(0x0112, 3, orientation)]
+    if focal_35mm:
+        entries.append(entry(0x8769, 4, 8 + 2 + 2 * 12 + 4))
+    tiff = b"MM\0*" + struct.pack(">I", 8)
+    tiff += struct.pack(">H", len(entries)) + b"".join(entries) + struct.pack(">I", 0)
+    if focal_35mm:
+        tiff += struct.pack(">H", 1) + entry(0xA405, 3, focal_35mm) + struct.pack(">I", 0)
+    body = b"Exif\0\0" + tiff
+    return jpeg[:2] + b"\xff\xe1" + struct.pack(">H", len(body) + 2) + body + jpeg[2:]
 
 
 def without_comments(jpeg):

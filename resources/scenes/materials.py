@@ -8,6 +8,15 @@ import bpy
 from common import metres
 
 
+#: How Blender calls some sockets from 4.0 on.
+RENAMED = {
+    "Specular": "Specular IOR Level",
+    "Clearcoat": "Coat Weight",
+    "Sheen": "Sheen Weight",
+    "Transmission": "Transmission Weight",
+}
+
+
 class Nodes:
     """A short way to write a material's node tree."""
 
@@ -76,7 +85,10 @@ class Nodes:
 
     def finish(self, **surface):
         for name, value in surface.items():
-            self.feed(self.surface.inputs[name.replace("_", " ")], value)
+            socket = name.replace("_", " ")
+            if socket not in self.surface.inputs:
+                socket = RENAMED[socket]
+            self.feed(self.surface.inputs[socket], value)
         return self.material
 
 
@@ -181,3 +193,49 @@ def clay(name, colour):
     n.bump(n.noise(n.vector(n.x, n.y, n.z), 500.0, 3.0), 0.3)
     shade = n.mix(n.steps(chalk, 0.45, 0.75, 0.0, 0.4), colour, (0.62, 0.50, 0.42))
     return n.finish(Base_Color=shade, Roughness=0.88, Specular=0.2)
+
+
+def tiles(name, glaze, grout, pitch=150.0, joint=3.0):
+    """Square tiles along x and y, laid from the origin; each of a slightly different tone."""
+    n = Nodes(name)
+    across, along = (n.math("DIVIDE", axis, metres(pitch)) for axis in (n.x, n.y))
+    cell = n.vector(n.math("FLOOR", across), n.math("FLOOR", along))
+    chance = n.add("ShaderNodeTexWhiteNoise", {"noise_dimensions": "2D"}, Vector=cell)
+    edges = [
+        n.math("ABSOLUTE", n.math("SUBTRACT", n.math("FRACT", share), 0.5))
+        for share in (across, along)
+    ]
+    half = 0.5 - joint / 2 / pitch
+    seam = n.steps(n.math("MAXIMUM", *edges), half - 0.004, half + 0.004)
+    tone = n.steps(chance.outputs["Value"], 0.0, 1.0, 0.90, 1.04)
+    cloud = n.steps(n.noise(n.vector(n.x, n.y, n.z), 14.0, 4.0), 0.3, 0.7, 0.95, 1.03)
+    colour = n.mix(1.0, glaze, n.math("MULTIPLY", tone, cloud), "MULTIPLY")
+    n.bump(n.math("SUBTRACT", 1.0, seam), 0.8)
+    rough = n.steps(seam, 0.0, 1.0, 0.24, 0.85)
+    return n.finish(Base_Color=n.mix(seam, colour, grout), Roughness=rough, Specular=0.45)
+
+
+def fabric(name, colour, stripe, pitch=34.0):
+    """Woven linen with stripes along x."""
+    n = Nodes(name)
+    share = n.math("FRACT", n.math("DIVIDE", n.y, metres(pitch)))
+    line = n.math("ABSOLUTE", n.math("SUBTRACT", share, 0.5))
+    stripes = n.steps(line, 0.40, 0.43)
+    turns = 6.2832 / metres(1.3)
+    weave = n.math(
+        "MULTIPLY",
+        n.math("SINE", n.math("MULTIPLY", n.x, turns)),
+        n.math("SINE", n.math("MULTIPLY", n.y, turns)),
+    )
+    shade = n.steps(weave, -1.0, 1.0, 0.86, 1.06)
+    n.bump(weave, 0.2)
+    dyed = n.mix(1.0, n.mix(stripes, colour, stripe), shade, "MULTIPLY")
+    return n.finish(Base_Color=dyed, Roughness=0.9, Specular=0.15, Sheen=0.3)
+
+
+def steel(name, colour=(0.62, 0.63, 0.65), roughness=0.28):
+    """Brushed steel."""
+    n = Nodes(name)
+    lines = n.noise(n.vector(n.math("MULTIPLY", n.x, 20.0), n.math("MULTIPLY", n.y, 900.0)), 1.0)
+    rough = n.steps(lines, 0.3, 0.7, roughness - 0.05, roughness + 0.1)
+    return n.finish(Base_Color=colour, Roughness=rough, Metallic=1.0)

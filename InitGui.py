@@ -27,6 +27,7 @@ class InContextWorkbench(FreeCADGui.Workbench):
 
         from incontext.workbench import host
         from incontext.workbench.commands import register_commands
+        from incontext.workbench.commands.open_example import register_examples
         from incontext.workbench.commands.tools import register_tools
         from incontext.workbench.panels.preset_page import PresetPage
         from incontext.workbench.panels.working import work
@@ -34,11 +35,13 @@ class InContextWorkbench(FreeCADGui.Workbench):
         host.set_worker(work)
         names, tools = register_commands(), register_tools()
         ours = host.translate("InContext", "Modeling in &Context")
+        examples = host.translate("InContext", "E&xamples")
         sketching = host.translate("InContext", "Sketch &tools")
         self.appendToolbar(host.translate("InContext", "Modeling in Context"), names)
         self.appendToolbar(host.translate("InContext", "Sketch tools"), tools)
         self.appendMenu(ours, names)
         self.appendMenu([ours, sketching], tools)
+        self.appendMenu([ours, examples], register_examples())
         FreeCADGui.addIconPath(host.resource("icons"))
         FreeCADGui.addPreferencePage(host.resource("ui", "preferences.ui"), "Modeling in Context")
         FreeCADGui.addPreferencePage(PresetPage, "Modeling in Context")

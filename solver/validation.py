@@ -154,7 +154,9 @@ def _no_right_angles(graph: SketchGraph) -> Iterator[Finding]:
 
 def _apart(graph: SketchGraph) -> Iterator[Finding]:
     """Parts that neither an edge nor an annotation joins float in space."""
-    count, loose = _smallest_part(topology_of(graph), graph.annotations)
+    # What belongs to profiles alone is held by its circles, which stand on the ground.
+    core = without_profiles(graph)
+    count, loose = _smallest_part(topology_of(core), core.annotations)
     if count > 1:
         yield _warning(
             f"{count} parts that nothing joins ({', '.join(loose)} ...); "
@@ -209,7 +211,8 @@ def _no_ground(graph: SketchGraph) -> Iterator[Finding]:
 
 def _no_length(graph: SketchGraph) -> Iterator[Finding]:
     # The height of a known camera over the ground tells the size as well.
-    by_camera = graph.camera is not None and len(topology_of(graph).ground)
+    on_ground = graph.revolutions or len(topology_of(graph).ground)
+    by_camera = graph.camera is not None and on_ground
     if graph.edges and not by_camera and not (_kinds(graph.annotations) & {Length, Diameter}):
         yield _warning("no length is given, so the longest edge will be 100 mm; try: give one")
 

@@ -35,6 +35,14 @@ EXAMPLES = (
     "chair_box",
 )
 SKETCH_ENDING = ".sketch.json"
+#: How the command line calls the settings that examples choose.
+_OPTIONS = {
+    "thickness_mm": "--thickness",
+    "finger_mm": "--finger",
+    "wall_mm": "--wall",
+    "side": "--side",
+    "open_end": "--open",
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,6 +61,8 @@ class Example:
     material : str
     settings : mapping
         Fields of `PlateSettings` or `ShellSettings` that are not as usual.
+    light_in_cam : (x, y, z)
+        Where the photo's light comes from: right, down and forward, as seen from the camera.
     in_front : tuple of outlines
         Each a list of places in the photo, px.
     facts : mapping
@@ -66,6 +76,7 @@ class Example:
     is_printed: bool
     material: str
     settings: Mapping[str, Any]
+    light_in_cam: tuple[float, float, float]
     in_front: tuple[tuple[tuple[float, float], ...], ...]
     facts: Mapping[str, Any]
 
@@ -79,6 +90,14 @@ class Example:
         """What the photo really shows: for checking only."""
         found: dict[str, Any] = _read(self.sketch_path.with_name("truth.json"))
         return found
+
+    @property
+    def options(self) -> list[str]:
+        """The words after ``incontext make SKETCH`` that make it."""
+        words = ["--print" if self.is_printed else "--laser"]
+        for field, value in self.settings.items():
+            words += [_OPTIONS[field], str(value)]
+        return words
 
     def plate_settings(self) -> PlateSettings:
         """For plates (`SettingsError` where they cannot be)."""
@@ -104,7 +123,8 @@ def load_example(name: str) -> Example:
     outlines = tuple(
         tuple((float(u), float(v)) for u, v in ring) for ring in told.pop("in_front", ())
     )
-    return Example(name=name, in_front=outlines, **{"settings": {}, **told})
+    x, y, z = told.pop("light_in_cam")
+    return Example(name=name, light_in_cam=(x, y, z), in_front=outlines, **told)
 
 
 def _read(path: Path) -> Any:

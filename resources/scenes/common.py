@@ -114,10 +114,13 @@ def add_tube(name, path, radius, material, taper=None, closed=False):
     curve.bevel_depth = metres(radius)
     curve.bevel_resolution = 6
     curve.resolution_u = 16
+    curve.use_fill_caps = True
     spline = curve.splines.new("BEZIER")
     spline.bezier_points.add(len(path) - 1)
     spline.use_cyclic_u = closed
-    for knot, point, share in zip(spline.bezier_points, path, taper or [1] * len(path), strict=True):
+    for knot, point, share in zip(
+        spline.bezier_points, path, taper or [1] * len(path), strict=True
+    ):
         knot.co, knot.radius = metres(point), share
         knot.handle_left_type = knot.handle_right_type = "AUTO"
     curve.materials.append(material)

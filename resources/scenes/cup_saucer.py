@@ -28,7 +28,7 @@ CAMERA = common.Camera(
     size_px=(1200, 1600),
 )
 #: What the camera writes into the photo: its 35 mm equivalent.
-FOCAL_35MM = 43
+FOCAL_35MM = 39
 
 
 def build_room():
@@ -58,9 +58,7 @@ def build_things():
 
 def light_room():
     bars = materials.plain("window bars", (0.6, 0.6, 0.6))
-    common.add_window_light(
-        (900, 900, 950), (0, 120, 0), (1000, 800), watts=40, glazing_bar=bars
-    )
+    common.add_window_light((900, 900, 950), (0, 120, 0), (1000, 800), watts=40, glazing_bar=bars)
     common.set_room_fill((1.0, 0.95, 0.88), 0.34)
 
 

@@ -7,7 +7,6 @@ sizes given to these functions are millimetres.
 import bpy
 from common import metres
 
-
 #: How Blender calls some sockets from 4.0 on.
 RENAMED = {
     "Specular": "Specular IOR Level",

@@ -46,7 +46,13 @@ def build_things():
         common.place(props.pencil(paint, cedar, lead), (*at, 0), turn)
 
     wire = materials.steel("wire", roughness=0.2)
-    places = ((-95, -150, 20), (-62, -175, 130), (-110, -190, 75), (-40, -140, -30), (-140, -165, 5))
+    places = (
+        (-95, -150, 20),
+        (-62, -175, 130),
+        (-110, -190, 75),
+        (-40, -140, -30),
+        (-140, -165, 5),
+    )
     for number, (x, y, turn) in enumerate(places):
         common.place(stationery.clip(wire, number), (x, y, 0), turn)
 
@@ -62,9 +68,7 @@ def build_things():
 
 def light_room():
     bars = materials.plain("window bars", (0.6, 0.6, 0.6))
-    common.add_window_light(
-        (1300, -500, 1100), (0, 80, 0), (900, 1200), watts=52, glazing_bar=bars
-    )
+    common.add_window_light((1300, -500, 1100), (0, 80, 0), (900, 1200), watts=52, glazing_bar=bars)
     common.set_room_fill((0.93, 0.97, 1.0), 0.30)
 
 

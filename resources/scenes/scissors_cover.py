@@ -61,9 +61,7 @@ def build_things():
 
 def light_room():
     bars = materials.plain("window bars", (0.6, 0.6, 0.6))
-    common.add_window_light(
-        (-700, 800, 1000), (0, 40, 0), (800, 900), watts=31, glazing_bar=bars
-    )
+    common.add_window_light((-700, 800, 1000), (0, 40, 0), (800, 900), watts=31, glazing_bar=bars)
     common.set_room_fill((0.95, 0.98, 1.0), 0.33)
 
 

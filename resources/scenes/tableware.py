@@ -1,4 +1,4 @@
-"""Things for the kitchen's scenes: teapot without its lid, teacup, plate, spoon, lemon, printed sheet.
+"""Things for the kitchen's scenes: teapot, teacup, plate, spoon, lemon, the printed sheet.
 
 In millimetres and built about the origin; each builder returns the list of its objects, for
 `common.place`.

@@ -28,6 +28,18 @@
         <translation>Ein Objektiv von {0:.0f} mm (Kleinbild), {1:.0f} mm über dem Boden; Höhen stimmen auf {2:.1f} %.</translation>
     </message>
     <message>
+        <source>A print whose wall lies outside what is drawn</source>
+        <translation>Ein Druck, dessen Wand außerhalb der Zeichnung liegt</translation>
+    </message>
+    <message>
+        <source>A print; a marker in the photo gives camera and size</source>
+        <translation>Ein Druck; eine Marke im Foto gibt Kamera und Größe</translation>
+    </message>
+    <message>
+        <source>A print; traced tiles give the size</source>
+        <translation>Ein Druck; nachgezeichnete Fliesen geben die Größe</translation>
+    </message>
+    <message>
         <source>A4 sheet</source>
         <translation>Blatt A4</translation>
     </message>
@@ -64,6 +76,10 @@
         <translation>Zwischen zwei Platten</translation>
     </message>
     <message>
+        <source>Bookshelf</source>
+        <translation>Bücherregal</translation>
+    </message>
+    <message>
         <source>Box</source>
         <translation>Quader</translation>
     </message>
@@ -74,6 +90,10 @@
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cardboard for a laser, over a photo of a room</source>
+        <translation>Pappe für den Laser, über dem Foto eines Zimmers</translation>
     </message>
     <message>
         <source>Change circle</source>
@@ -292,6 +312,14 @@
         <translation>Kopieren</translation>
     </message>
     <message>
+        <source>Cover for scissors</source>
+        <translation>Hülle für eine Schere</translation>
+    </message>
+    <message>
+        <source>Cup saucer</source>
+        <translation>Untertasse</translation>
+    </message>
+    <message>
         <source>Delete</source>
         <translation>Löschen</translation>
     </message>
@@ -302,6 +330,14 @@
     <message>
         <source>Delete takes back what is said; a second click, or Enter, changes a size</source>
         <translation>Entf nimmt die Angabe zurück; ein zweiter Klick oder die Eingabetaste ändert ein Maß</translation>
+    </message>
+    <message>
+        <source>Desk tidy with a step</source>
+        <translation>Stufenkasten für den Schreibtisch</translation>
+    </message>
+    <message>
+        <source>Desktop organizer</source>
+        <translation>Schreibtischkasten</translation>
     </message>
     <message>
         <source>Diameter</source>
@@ -406,6 +442,10 @@
     <message>
         <source>Drawing of the plates</source>
         <translation>Zeichnung der Platten</translation>
+    </message>
+    <message>
+        <source>E&amp;xamples</source>
+        <translation>&amp;Beispiele</translation>
     </message>
     <message>
         <source>Edit sketch</source>
@@ -924,6 +964,14 @@
         <translation>Platten</translation>
     </message>
     <message>
+        <source>Plates for a laser, over a cropped photo</source>
+        <translation>Platten für den Laser, über einem beschnittenen Foto</translation>
+    </message>
+    <message>
+        <source>Plates for a laser, over a photo of stationery</source>
+        <translation>Platten für den Laser, über dem Foto von Schreibsachen</translation>
+    </message>
+    <message>
         <source>Presets</source>
         <translation>Vorgaben</translation>
     </message>
@@ -1124,6 +1172,10 @@
         <translation>Wird angehalten ...</translation>
     </message>
     <message>
+        <source>Storage box for a chair</source>
+        <translation>Kiste unter einem Stuhl</translation>
+    </message>
+    <message>
         <source>Straighten photo</source>
         <translation>Foto begradigen</translation>
     </message>
@@ -1150,6 +1202,10 @@
     <message>
         <source>Take the picture, or the picture file, that was copied last as the photo</source>
         <translation>Das zuletzt kopierte Bild oder die Bilddatei als Foto nehmen</translation>
+    </message>
+    <message>
+        <source>Teapot lid</source>
+        <translation>Deckel einer Teekanne</translation>
     </message>
     <message>
         <source>Test the plates or the solid against the things traced on the photo, and whether they stand: clearance, overlaps in red, centre of mass, loose and thin parts</source>
@@ -1368,6 +1424,10 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
     <message>
         <source>Will it stand?</source>
         <translation>Steht es?</translation>
+    </message>
+    <message>
+        <source>Wood for a laser, over a photo of six books on a desk</source>
+        <translation>Holz für den Laser, über dem Foto von sechs Büchern auf einem Tisch</translation>
     </message>
     <message>
         <source>Write a marker to print as PDF or SVG: on the ground in a photo, it gives the camera and the scale</source>

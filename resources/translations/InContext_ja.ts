@@ -28,6 +28,18 @@
         <translation>焦点距離 {0:.0f} mm（35 mm 換算）、地面から {1:.0f} mm。高さの精度は {2:.1f} % です。</translation>
     </message>
     <message>
+        <source>A print whose wall lies outside what is drawn</source>
+        <translation>描いた形の外側に壁がつく3Dプリント</translation>
+    </message>
+    <message>
+        <source>A print; a marker in the photo gives camera and size</source>
+        <translation>3Dプリント。写真のマーカーがカメラと大きさを決めます</translation>
+    </message>
+    <message>
+        <source>A print; traced tiles give the size</source>
+        <translation>3Dプリント。なぞったタイルが大きさを決めます</translation>
+    </message>
+    <message>
         <source>A4 sheet</source>
         <translation>A4 用紙</translation>
     </message>
@@ -64,6 +76,10 @@
         <translation>板と板の間隔</translation>
     </message>
     <message>
+        <source>Bookshelf</source>
+        <translation>本棚</translation>
+    </message>
+    <message>
         <source>Box</source>
         <translation>箱</translation>
     </message>
@@ -74,6 +90,10 @@
     <message>
         <source>Cancel</source>
         <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Cardboard for a laser, over a photo of a room</source>
+        <translation>部屋の写真に描いた、レーザー用の段ボール</translation>
     </message>
     <message>
         <source>Change circle</source>
@@ -292,6 +312,14 @@
         <translation>コピー</translation>
     </message>
     <message>
+        <source>Cover for scissors</source>
+        <translation>はさみのカバー</translation>
+    </message>
+    <message>
+        <source>Cup saucer</source>
+        <translation>カップの受け皿</translation>
+    </message>
+    <message>
         <source>Delete</source>
         <translation>削除</translation>
     </message>
@@ -302,6 +330,14 @@
     <message>
         <source>Delete takes back what is said; a second click, or Enter, changes a size</source>
         <translation>Delete で指定を取り消します。もう一度クリックするか Enter で寸法を変更します</translation>
+    </message>
+    <message>
+        <source>Desk tidy with a step</source>
+        <translation>段つきの卓上整理箱</translation>
+    </message>
+    <message>
+        <source>Desktop organizer</source>
+        <translation>卓上整理箱</translation>
     </message>
     <message>
         <source>Diameter</source>
@@ -406,6 +442,10 @@
     <message>
         <source>Drawing of the plates</source>
         <translation>板の図面</translation>
+    </message>
+    <message>
+        <source>E&amp;xamples</source>
+        <translation>例(&amp;X)</translation>
     </message>
     <message>
         <source>Edit sketch</source>
@@ -924,6 +964,14 @@
         <translation>板</translation>
     </message>
     <message>
+        <source>Plates for a laser, over a cropped photo</source>
+        <translation>切り抜いた写真に描いた、レーザー用の板</translation>
+    </message>
+    <message>
+        <source>Plates for a laser, over a photo of stationery</source>
+        <translation>文房具の写真に描いた、レーザー用の板</translation>
+    </message>
+    <message>
         <source>Presets</source>
         <translation>プリセット</translation>
     </message>
@@ -1124,6 +1172,10 @@
         <translation>停止しています...</translation>
     </message>
     <message>
+        <source>Storage box for a chair</source>
+        <translation>椅子の下の収納箱</translation>
+    </message>
+    <message>
         <source>Straighten photo</source>
         <translation>写真の歪みを補正</translation>
     </message>
@@ -1150,6 +1202,10 @@
     <message>
         <source>Take the picture, or the picture file, that was copied last as the photo</source>
         <translation>最後にコピーした画像または画像ファイルを写真にする</translation>
+    </message>
+    <message>
+        <source>Teapot lid</source>
+        <translation>急須のふた</translation>
     </message>
     <message>
         <source>Test the plates or the solid against the things traced on the photo, and whether they stand: clearance, overlaps in red, centre of mass, loose and thin parts</source>
@@ -1368,6 +1424,10 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
     <message>
         <source>Will it stand?</source>
         <translation>立ちますか？</translation>
+    </message>
+    <message>
+        <source>Wood for a laser, over a photo of six books on a desk</source>
+        <translation>机の上の6冊の本の写真に描いた、レーザー用の木の板</translation>
     </message>
     <message>
         <source>Write a marker to print as PDF or SVG: on the ground in a photo, it gives the camera and the scale</source>

@@ -116,3 +116,28 @@ def test_example_opens_side_by_side():
     FreeCAD.closeDocument(document.Name)
     pump()
     assert open_tabs() == ()
+
+
+def test_every_example_has_its_place_in_the_menu():
+    from incontext.workbench.commands.open_example import EXAMPLE_COMMANDS
+
+    menu = FreeCADGui.getMainWindow().menuBar()
+    ours = next(a.menu() for a in menu.actions() if "Context" in a.text().replace("&", ""))
+    examples = next(a.menu() for a in ours.actions() if "xamples" in a.text() and a.menu())
+    shown = [action.text() for action in examples.actions()]
+    assert shown == [command.MENU_TEXT for command in EXAMPLE_COMMANDS]
+
+
+def test_printed_example_opens_from_the_menu():
+    from incontext.workbench.panels.tabs import open_tabs
+
+    FreeCADGui.runCommand("InContext_ExampleTeapotLid")
+    pump(0.5)
+    document = FreeCAD.ActiveDocument
+    sketch, model, solid = document.Objects
+    assert document.Label == "Teapot lid"
+    assert (model.Status, solid.Status) == ("converged", "made")
+    assert [tab.obj for tab in open_tabs()] == [sketch]
+    FreeCAD.closeDocument(document.Name)
+    pump()
+    assert open_tabs() == ()

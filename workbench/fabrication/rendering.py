@@ -87,7 +87,7 @@ def plates_scene(plates: Sequence[Plate]) -> Scene:
 def mesh_scene(vertices_mm: Array, triangles: NDArray[np.int32]) -> Scene:
     """A printed solid as plastic; facets of a curved surface are one face."""
     corners = vertices_mm[triangles]
-    faces = _smooth_faces(triangles, _normals(corners))
+    faces = _smooth_faces(triangles, triangle_normals(corners))
     return Scene(corners, faces + 1, np.tile(np.asarray(PLASTIC, dtype=float), (len(corners), 1)))
 
 
@@ -105,7 +105,7 @@ def _smooth_faces(triangles: NDArray[np.int32], normals: Array) -> NDArray[np.in
 
 
 def _scene(triangles: Array, owners: NDArray[np.int_], colours: Array) -> Scene:
-    normals = _normals(triangles)
+    normals = triangle_normals(triangles)
     at = np.einsum("ij,ij->i", normals, triangles[:, 0])
     keys = np.column_stack([owners, np.round(normals, 3), np.round(at, 2)])
     _, faces = np.unique(keys, axis=0, return_inverse=True)
@@ -113,7 +113,8 @@ def _scene(triangles: Array, owners: NDArray[np.int_], colours: Array) -> Scene:
     return Scene(triangles, numbers, np.asarray(colours, dtype=float))
 
 
-def _normals(triangles: Array) -> Array:
+def triangle_normals(triangles: Array) -> Array:
+    """Unit normals (n, 3) of triangles (n, 3, 3)."""
     normals = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
     lengths = np.linalg.norm(normals, axis=1, keepdims=True)
     return np.asarray(normals / np.where(lengths > 0, lengths, 1.0))
@@ -163,14 +164,14 @@ def render(scene: Scene, camera: Camera | None, size_px: tuple[int, int]) -> Ima
     page = np.asarray(_shadow(scene, view, large), dtype=float)
     colours, faces = _painted(scene, view, large)
     page = np.where(faces[..., None] > 0, colours, page)
-    page[_outlines(faces)] = OUTLINE
+    page[outlines(faces)] = OUTLINE
     image = Image.fromarray(np.clip(page, 0, 255).astype(np.uint8))
     return image.resize(size_px, Image.Resampling.BOX)
 
 
 def _painted(scene: Scene, view: View, size: tuple[int, int]) -> tuple[Array, NDArray[np.int32]]:
     """Colour and face number of the nearest triangle at each pixel."""
-    normals = _normals(scene.triangles_mm)
+    normals = triangle_normals(scene.triangles_mm)
     middles = scene.triangles_mm.mean(axis=1)
     facing = np.einsum("ij,ij->i", normals, view.eye_mm - middles) > 0
     shaded = scene.colours * _brightness(normals, view)[:, None]
@@ -180,7 +181,7 @@ def _painted(scene: Scene, view: View, size: tuple[int, int]) -> tuple[Array, ND
     colours = np.zeros((size[1], size[0], 3))
     faces = np.zeros((size[1], size[0]), dtype=np.int32)
     for n in np.flatnonzero(facing).tolist():
-        window, inside, inverse = _rasterised(flat[n], 1.0 / depth[n], size)
+        window, inside, inverse = rasterised(flat[n], 1.0 / depth[n], size)
         if window is None:
             continue
         won = inside & (inverse > nearest[window])
@@ -201,7 +202,7 @@ def _brightness(normals: Array, view: View) -> Array:
     return np.asarray(np.minimum(0.70 + 0.31 * key + 0.14 * soft, 1.02))
 
 
-def _rasterised(
+def rasterised(
     corners: Array, inverse: Array, size: tuple[int, int]
 ) -> tuple[tuple[slice, slice] | None, NDArray[np.bool_], Array]:
     """The window of pixels around a triangle, which are inside, and their 1 / depth."""
@@ -221,7 +222,7 @@ def _rasterised(
     return (slice(low[1], high[1]), slice(low[0], high[0])), inside, depth
 
 
-def _outlines(faces: NDArray[np.int32]) -> NDArray[np.bool_]:
+def outlines(faces: NDArray[np.int32]) -> NDArray[np.bool_]:
     """Pixels at which the face changes, thickened to about one pixel of the final picture."""
     change = np.zeros(faces.shape, dtype=bool)
     across = faces[:, 1:] != faces[:, :-1]

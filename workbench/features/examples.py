@@ -6,16 +6,20 @@ from pathlib import Path
 from typing import Any
 
 from .. import host
+from ..examples import SKETCH_ENDING, load_example
 from .lifted_model import make_lifted_model
 from .photo_sketch import make_photo_sketch
 from .plate_set import make_plate_set
+from .shelled_solid import make_shelled_solid
 
-SKETCH_ENDING = ".sketch.json"
-
-
-def example_path(name: str) -> Path:
-    """The sketch file of an example."""
-    return Path(host.resource("examples", name, name + SKETCH_ENDING))
+#: How the objects call the settings that examples choose.
+_PROPERTIES = {
+    "thickness_mm": "Thickness",
+    "finger_mm": "FingerWidth",
+    "wall_mm": "Wall",
+    "side": "Side",
+    "open_end": "OpenEnd",
+}
 
 
 def import_sketch(document: Any, path: Path, label: str = "") -> Any:
@@ -50,10 +54,14 @@ def import_sketch(document: Any, path: Path, label: str = "") -> Any:
 
 
 def make_example(document: Any, name: str) -> tuple[Any, Any, Any]:
-    """An example, all the way to its plates: photo sketch, lifted model, plate set."""
+    """An example, all the way: photo sketch, lifted model, and plate set or shelled solid."""
+    example = load_example(name)
     label = host.translate("InContext", "Photo sketch")
-    sketch = import_sketch(document, example_path(name), label)
+    sketch = import_sketch(document, example.sketch_path, label)
     model = make_lifted_model(document, sketch)
-    plates = make_plate_set(document, model)
+    make = make_shelled_solid if example.is_printed else make_plate_set
+    product = make(document, model)
+    for field, value in example.settings.items():
+        setattr(product, _PROPERTIES[field], value)
     document.recompute()
-    return sketch, model, plates
+    return sketch, model, product

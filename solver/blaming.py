@@ -141,7 +141,8 @@ def drawn_diagonal(problem: Problem) -> float:
     """The drawing's diagonal, image units."""
     drawn = problem.points
     if len(problem.circles):
-        drawn = np.vstack([drawn, problem.circles.centres])
+        centres, semi = problem.circles.centres[:, None], problem.circles.semi_axes
+        drawn = np.vstack([drawn, (centres + semi).reshape(-1, 2), (centres - semi).reshape(-1, 2)])
     width, height = (drawn.max(axis=0) - drawn.min(axis=0)).tolist()
     return max(math.hypot(width, height), 1e-6)
 

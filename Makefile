@@ -6,6 +6,8 @@
 #   make test-others  FreeCAD 1.0 and 1.1, and the solver with the oldest numpy and scipy: what `make test` leaves out
 #   make setup    what the two need: packages of Debian, and .venv
 #   make bench    the solver beside the paper's, Lipson's and SolveSpace's: one table
+#   make gallery  the pictures and facts of every example, in resources/docs/gallery.md
+#   make scenes   the examples' photos anew, into build/scenes; needs Blender
 #   make lint     make types     make format     make clean
 #
 # Made for Debian 12 with nothing but git and make on it. Stamp files remember what is there
@@ -34,7 +36,7 @@ define apt_install
 		--yes --no-install-recommends $(call missing,$(1)))
 endef
 
-.PHONY: run test test-matrix test-others setup bench lint types format clean
+.PHONY: run test test-matrix test-others setup bench gallery scenes lint types format clean
 
 run: $(READY)
 	@$(PYTHON) -m incontext.workbench.launch
@@ -49,6 +51,17 @@ test-others: $(READY) build/.test-packages build/.matrix-packages
 	@$(PYTHON) tests/stages.py oldest freecad_1_0 freecad_1_1
 
 setup: $(READY) build/.test-packages
+
+gallery: $(READY)
+	@$(PYTHON) -m incontext.workbench.gallery
+
+# SCENES=chair_box makes one; BLENDER may be a Python that has the package bpy, with its denoiser.
+BLENDER ?= blender -b -noaudio --python
+SCENES ?= bookshelf organizer desk_tidy teapot_lid cup_saucer scissors_cover chair_box
+scenes:
+	@mkdir -p build/scenes
+	@for name in $(SCENES); do $(BLENDER) resources/scenes/$$name.py -- build/scenes/$$name.jpg \
+		--truth build/scenes/$$name.json || exit 1; done
 
 bench: $(READY)
 	@$(PYTHON) -m incontext.workbench bench

@@ -7,8 +7,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import shapely
 import trimesh
 from asserts import assert_annotations_hold, assert_solved
+from fabrication.test_other_readers import needs, read_by_inkscape, read_by_librecad, run
 from PIL import Image, ImageOps
 
 from incontext.solver import findings, load_sketch, solve
@@ -105,6 +107,45 @@ def test_files_are_what_is_expected(example, made):
         endings = {".dxf", ".svg", ".step", ".plates.json"}
     written = {path.name for path in made.iterdir()}
     assert written == {name + e for e in endings | {".solution.json", ".png"}}
+
+
+@needs("inkscape")
+@needs("librecad")
+def test_plates_are_read_back_by_other_programs(example, made):
+    """FreeCAD's importer is asked in `freecad/test_examples.py`."""
+    if example.is_printed:
+        return
+    path, facts = made / f"{example.name}.dxf", example.facts
+    by_inkscape = sum(
+        shapely.LineString([*points, points[0]]).length
+        for layer in ("CUT_OUTER", "CUT_INNER")
+        for points, closed in read_by_inkscape(path).get(layer, [])
+        if closed
+    )
+    assert by_inkscape == pytest.approx(facts["cut_length_mm"], rel=facts["tolerance"])
+    read = read_by_librecad(path)
+    by_librecad = sum(
+        read.get(colour, (0.0, 0))[0] for colour in (("1", "0", "0"), ("1", "0", "1"))
+    )
+    assert by_librecad == pytest.approx(by_inkscape, rel=1e-3)
+
+
+@needs("prusa-slicer")
+def test_prints_are_sliced_without_repair(example, made):
+    if not example.is_printed:
+        return
+    path = made / f"{example.name}.stl"
+    said = run("prusa-slicer", "--info", path, folder=made)
+    assert "manifold = yes" in said
+    assert "number_of_parts =  1" in said
+    assert not any("repair" in line or "fixed" in line for line in said.splitlines())
+    out = made.parent / f"{example.name}.gcode"
+    run(
+        "prusa-slicer", "--export-gcode", "--center", "150,150", "--bed-shape",
+        "0x0,300x0,300x300,0x300", "--layer-height", 0.3, "--fill-density", "5%",
+        "-o", out, path, folder=made,
+    )  # fmt: skip
+    assert out.read_text().count("G1 ") > 1000
 
 
 def corners_of(plate):

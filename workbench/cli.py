@@ -164,6 +164,7 @@ def _add_bench(commands: Any) -> None:
     add("--study", action="store_true", help="how exact and how sure ours is, over random shapes")
     add("--speed", action="store_true", help="how fast ours is, to 1,000 vertices, and the ratios")
     add("--quick", action="store_true", help="small shapes and the table, about a minute")
+    add("--examples", action="store_true", help="the shipped examples only: found beside true")
     add("--pictures", action="store_true", help="write figure8.png and figure9.png to build/bench")
     command.set_defaults(run=_bench)
 
@@ -278,6 +279,7 @@ def _solver(method: str, *, twin: bool) -> Callable[..., Solution]:
 def _bench(arguments: argparse.Namespace) -> int:
     from .bench import Options, bench, speed, study, write_pictures
     from .bench.plates import plates_bench
+    from .gallery.table import bench_lines
 
     if arguments.study:
         for line in study(arguments.runs or STUDY_RUNS):
@@ -288,6 +290,11 @@ def _bench(arguments: argparse.Namespace) -> int:
         for line in speed(options.shapes, options.runs):
             print(line, flush=True)
         return OK
+    for line in bench_lines():
+        print(line, flush=True)
+    if arguments.examples:
+        return OK
+    print()
     for line in bench(options):
         print(line, flush=True)
     if not arguments.quick:

@@ -22,12 +22,12 @@ from ..fabrication.rendering import OUTLINE, Scene, View, outlines, rasterised, 
 
 #: Each pixel is drawn as so many by so many.
 FINE = 2
-_KEY, _SKY = 7, 22
+_KEY, _SKY = 5, 26
 #: A depth map from a lamp has so many pixels along its longer side.
-_MAP = 700
-_KEY_SPREAD = 0.16
-_KEY_SHARE, _SKY_SHARE = 0.62, 0.62
-_GROUND_DARK = 0.62
+_MAP = 300
+_KEY_SPREAD = 0.13
+_KEY_SHARE, _SKY_SHARE = 0.60, 0.50
+_GROUND_DARK = 0.7
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -134,7 +134,9 @@ class _LampMap:
         side = np.cross(way, [1.0, 0.0, 0.0] if abs(way[0]) < 0.9 else [0.0, 1.0, 0.0])
         side /= np.linalg.norm(side)
         self._axes = np.array([side, np.cross(way, side), way])
-        placed = scene.triangles_mm.reshape(-1, 3) @ self._axes.T
+        # What looks away from the lamp hides nothing that what looks at it does not.
+        facing = triangle_normals(scene.triangles_mm) @ way > 0
+        placed = scene.triangles_mm[facing].reshape(-1, 3) @ self._axes.T
         self._low, high = placed.min(axis=0), placed.max(axis=0)
         self._scale = _MAP / float(max(high[:2] - self._low[:2]))
         self._size = tuple((np.ceil((high - self._low)[:2] * self._scale) + 1).astype(int).tolist())
@@ -170,7 +172,7 @@ def _shaded(scene: Scene, seen: _Seen, lamps: Lamps) -> Array:
         facing = normals @ way
         light += share * np.clip(facing, 0, None) ** 0.8 * lamp.lights(points)
     # What is thrown back by the ground and the room.
-    light += 0.20 + 0.06 * np.clip(-normals[:, 2], 0, None)
+    light += 0.34 + 0.06 * np.clip(-normals[:, 2], 0, None)
     page = np.zeros((*covered.shape, 3))
     page[covered] = scene.colours[numbers] * (np.minimum(light, 1.25) ** 0.75)[:, None] * 1.02
     return page
@@ -196,6 +198,6 @@ def _ground(scene: Scene, view: View, size: tuple[int, int], lamps: Lamps) -> Ar
         dark[near] += share * float(way[2]) * (1 - lamp.lights(spots[near]))
     most = sum(share * float(way[2]) for way, share, _ in lamps)
     picture = Image.fromarray((255 * (1 - _GROUND_DARK * dark / most)).astype(np.uint8))
-    soft = picture.filter(ImageFilter.GaussianBlur(0.8))
+    soft = picture.filter(ImageFilter.GaussianBlur(1.5))
     large = soft.resize((dark.shape[1] * step, dark.shape[0] * step), Image.Resampling.BICUBIC)
     return np.asarray(large, dtype=float)[: size[1], : size[0]] / 255

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from ..fabrication.checking import Check
 
 #: A picture needs no finer triangles.
-_PICTURE_MM = 0.1
+_PICTURE_MM = 0.2
 
 
 @dataclass(frozen=True, slots=True, eq=False)

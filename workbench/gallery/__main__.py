@@ -1,0 +1,63 @@
+"""``make gallery``: the pictures and the page ``resources/docs/gallery.md``."""
+
+from __future__ import annotations
+
+import io
+import sys
+from pathlib import Path
+
+from ...solver.files import write_files
+from .. import host
+from ..examples import EXAMPLES, load_example
+from .outcome import Outcome, outcome
+from .panels import panels, strip
+from .table import facts_lines
+
+HEADING = """# Gallery
+
+Every shipped example, end to end. From left to right: the photo; the sketch, placed by eye; the
+shape; the new object in the photo; the plates on their sheet, or the print cut open. The menu
+*Examples* opens each in FreeCAD. `make gallery` makes this page again, `incontext bench --examples`
+prints what was measured. The photos are rendered (`resources/scenes`): so the truth is known.
+"""
+NOTES = """Time is the processor's, from nothing. Gestures: a drag for each line and circle, a click for
+each face whose angles are right, and so on. *Measured, true*: existing things, by the sketch.
+"""
+
+
+def page(outcomes: list[Outcome]) -> str:
+    """The page's text."""
+    parts = [HEADING]
+    for made in outcomes:
+        example = made.example
+        check = " ".join(line[0].upper() + line[1:].rstrip(".") + "." for line in _check(made))
+        parts.append(f"## {example.title}\n\n![{example.title}](gallery/{example.name}.jpg)\n")
+        parts.append(f"{example.about} {check}".strip() + "\n")
+    parts.append("## Facts\n\n" + "\n".join(facts_lines(outcomes)) + "\n")
+    return "\n".join([*parts, NOTES])
+
+
+def _check(made: Outcome) -> tuple[str, ...]:
+    """Whether it stands and fits, in words."""
+    return tuple(line for check in made.checks for line in check.lines if "nothing" not in line)
+
+
+def main() -> int:
+    """Write all; names on the command line choose examples whose pictures are made."""
+    chosen = sys.argv[1:] or EXAMPLES
+    folder = Path(host.resource("docs"))
+    outcomes = []
+    for name in EXAMPLES:
+        made = outcome(load_example(name))
+        outcomes.append(made)
+        if name in chosen:
+            picture = io.BytesIO()
+            strip(panels(made)).save(picture, "JPEG", quality=86)
+            write_files({folder / "gallery" / f"{name}.jpg": picture.getvalue()})
+            print(folder / "gallery" / f"{name}.jpg", flush=True)
+    write_files({folder / "gallery.md": page(outcomes).encode()})
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,183 @@
+"""The pictures of an example: photo, sketch, 3D, in its place, and what is cut or printed."""
+
+from __future__ import annotations
+
+import numpy as np
+from PIL import Image, ImageDraw, ImageFilter
+
+from ...solver.values import Array
+from ..fabrication.meshes import Mesh
+from ..fabrication.picture import sketch_panel
+from ..fabrication.rendering import Scene, View, fitted_view, mesh_scene, plates_scene
+from ..fabrication.sheets import Sheet
+from ..photos import load_photo
+from .lighting import lit
+from .outcome import Outcome
+
+HIGH_PX = 440
+GAP_PX = 16
+PAPER = (252, 252, 251)
+#: Colours of materials, flat and cut; the words stand in `Example.material`.
+COLOURS = {
+    "plywood": ((233, 203, 158), (150, 106, 66)),
+    "acrylic": ((112, 168, 186), (62, 112, 130)),
+    "cardboard": ((201, 160, 112), (150, 112, 72)),
+    "print": ((226, 221, 210), (226, 221, 210)),
+}
+_BESIDE = (-0.75, -0.85, -0.25)
+
+
+def panels(made: Outcome) -> list[Image.Image]:
+    """The five pictures, all as high as `HIGH_PX`.
+
+    Parameters
+    ----------
+    made : Outcome
+
+    Returns
+    -------
+    list of PIL.Image.Image
+    """
+    photo, _ = load_photo(made.graph, made.example.sketch_path)
+    assert photo is not None
+    scene = _scene(made)
+    return [
+        _high(photo),
+        _high(sketch_panel(made.graph, photo)),
+        _alone(scene),
+        _in_place(made, scene, photo),
+        _sheets(made) if made.sheets else _cut_open(made),
+    ]
+
+
+def strip(pictures: list[Image.Image]) -> Image.Image:
+    """The pictures in one row."""
+    width = sum(picture.width for picture in pictures) + GAP_PX * (len(pictures) - 1)
+    page = Image.new("RGB", (width, HIGH_PX), "white")
+    x = 0
+    for picture in pictures:
+        page.paste(picture, (x, 0))
+        x += picture.width + GAP_PX
+    return page
+
+
+def _high(picture: Image.Image) -> Image.Image:
+    width = round(picture.width * HIGH_PX / picture.height)
+    return picture.resize((width, HIGH_PX), Image.Resampling.LANCZOS)
+
+
+def _colours(made: Outcome) -> tuple[tuple[int, int, int], tuple[int, int, int]]:
+    return next(c for word, c in COLOURS.items() if word in made.example.material)
+
+
+def _scene(made: Outcome) -> Scene:
+    flat, cut = _colours(made)
+    if made.mesh is not None:
+        return _mesh_scene(made.mesh, flat)
+    assert made.joined is not None
+    scene = plates_scene(made.joined.plates)
+    # The scene's colours are those of wood: flat where light.
+    light = scene.colours[:, 2] > 100
+    return Scene(scene.triangles_mm, scene.faces, np.where(light[:, None], flat, cut))
+
+
+def _mesh_scene(mesh: Mesh, colour: tuple[int, int, int]) -> Scene:
+    scene = mesh_scene(mesh.vertices_mm, mesh.triangles)
+    return Scene(
+        scene.triangles_mm, scene.faces, np.tile(np.array(colour, float), (len(scene.faces), 1))
+    )
+
+
+def _alone(scene: Scene) -> Image.Image:
+    size = (HIGH_PX, HIGH_PX)
+    view = fitted_view(scene.triangles_mm.reshape(-1, 3), None, size)
+    return lit(scene, view, Image.new("RGB", size, PAPER), _BESIDE)
+
+
+def _in_place(made: Outcome, scene: Scene, photo: Image.Image) -> Image.Image:
+    """The object in the photo; what stands before it stays before it."""
+    camera = made.solution.camera
+    assert camera is not None
+    share = HIGH_PX / photo.height
+    small = photo.resize((round(photo.width * share), HIGH_PX), Image.Resampling.LANCZOS)
+    view = View(
+        np.array(camera.position_mm),
+        np.array(camera.rotation_cam_from_world),
+        camera.focal_px * share,
+        np.array(camera.principal_point_px) * share,
+    )
+    found = lit(scene, view, small, made.example.light_in_cam)
+    if made.example.in_front:
+        mask = Image.new("L", small.size, 0)
+        for ring in made.example.in_front:
+            ImageDraw.Draw(mask).polygon([(u * share, v * share) for u, v in ring], fill=255)
+        found.paste(small, (0, 0), mask.filter(ImageFilter.GaussianBlur(0.6)))
+    return found
+
+
+def _sheets(made: Outcome) -> Image.Image:
+    """The plates as they are cut, sheet above sheet."""
+    flat, cut = _colours(made)
+    sheets, fine = made.sheets, 3
+    wide = max(sheet.width_mm for sheet in sheets)
+    tall = sum(sheet.height_mm for sheet in sheets) + 20.0 * (len(sheets) - 1)
+    scale = fine * HIGH_PX / tall
+    page = Image.new("RGB", (round(wide * scale), HIGH_PX * fine), "white")
+    draw, top = ImageDraw.Draw(page), 0.0
+    for sheet in sheets:
+        _sheet(draw, sheet, top, scale, (flat, cut))
+        top += sheet.height_mm + 20.0
+    return page.resize((page.width // fine, HIGH_PX), Image.Resampling.BOX)
+
+
+def _sheet(
+    draw: ImageDraw.ImageDraw,
+    sheet: Sheet,
+    top: float,
+    scale: float,
+    colours: tuple[tuple[int, int, int], tuple[int, int, int]],
+) -> None:
+    def placed(ring: Array) -> list[tuple[float, float]]:
+        return [(x * scale, (top + sheet.height_mm - y) * scale) for x, y in ring.tolist()]
+
+    flat, cut = colours
+    low, high = (0, top * scale), (sheet.width_mm * scale - 1, (top + sheet.height_mm) * scale - 1)
+    draw.rectangle([low, high], fill=(243, 242, 239), outline=(205, 203, 198), width=3)
+    for part in sheet.parts:
+        draw.polygon(placed(part.outer), fill=flat, outline=cut, width=4)
+        for ring in part.inner:
+            draw.polygon(placed(ring), fill=(243, 242, 239), outline=cut, width=4)
+
+
+def _cut_open(made: Outcome) -> Image.Image:
+    """The front half of the print taken away, so that its wall is seen."""
+    import manifold3d
+
+    assert made.mesh is not None
+    body = manifold3d.Manifold(
+        manifold3d.Mesh64(
+            np.ascontiguousarray(made.mesh.vertices_mm), made.mesh.triangles.astype(np.uint64)
+        )
+    )
+    middle = made.mesh.vertices_mm.mean(axis=0)
+    if not made.graph.revolutions:
+        # A long thing is cut across.
+        way = np.ptp(made.mesh.vertices_mm, axis=0)
+        normal = [-1.0, 0.0, 0.0] if way[0] > way[1] else [0.0, 1.0, 0.0]
+    else:
+        normal = [-0.45, 0.89, 0.0]
+    half = body.trim_by_plane(normal, float(np.dot(normal, middle))).to_mesh64()
+    mesh = Mesh(
+        np.asarray(half.vert_properties)[:, :3], np.asarray(half.tri_verts).astype(np.int32)
+    )
+    scene = _mesh_scene(mesh, _colours(made)[0])
+    return _alone(_reddened(scene, np.array(normal)))
+
+
+def _reddened(scene: Scene, normal: Array) -> Scene:
+    """The cut face in another colour."""
+    from ..fabrication.rendering import triangle_normals
+
+    on_cut = triangle_normals(scene.triangles_mm) @ normal < -0.999
+    colours = np.where(on_cut[:, None], (214, 110, 84), scene.colours)
+    return Scene(scene.triangles_mm, scene.faces, colours)

@@ -20,8 +20,8 @@ shape; the new object in the photo; the plates on their sheet, or the print cut 
 *Examples* opens each in FreeCAD. `make gallery` makes this page again, `incontext bench --examples`
 prints what was measured. The photos are rendered (`resources/scenes`): so the truth is known.
 """
-NOTES = """Time is the processor's, from nothing. Gestures: a drag for each line and circle, a click for
-each face whose angles are right, and so on. *Measured, true*: existing things, by the sketch.
+NOTES = """Time is the processor's, from nothing. Gestures: a drag for each line and circle, a click
+for each face whose angles are right, and so on. *Measured, true*: existing things, by the sketch.
 """
 
 

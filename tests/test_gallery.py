@@ -32,6 +32,11 @@ def shelf():
     return outcome(load_example("bookshelf"))
 
 
+@pytest.fixture(scope="module")
+def pictures(shelf):
+    return panels(shelf)
+
+
 def test_object_is_where_the_camera_sees_it_and_throws_a_shadow_away_from_the_light():
     view = View(np.array([0.0, 0, 500]), DOWN, 480.0, np.array([100.0, 100]))
     page = Image.new("RGB", (200, 200), "white")
@@ -42,7 +47,7 @@ def test_object_is_where_the_camera_sees_it_and_throws_a_shadow_away_from_the_li
     left, right = found[100, 40:75], found[100, 125:160]
     assert right.min() < left.min() - 20
     # What is far away is as it was.
-    assert (found[:20] == 255).all()
+    assert found[:20].min() > 245
 
 
 def test_what_lies_below_another_thing_is_darker():
@@ -54,8 +59,8 @@ def test_what_lies_below_another_thing_is_darker():
     assert under[100, 98] < open_[100, 98] - 10
 
 
-def test_strip_shows_five_pictures_side_by_side(shelf):
-    found = panels(shelf)
+def test_strip_shows_five_pictures_side_by_side(pictures):
+    found = pictures
     assert [picture.height for picture in found] == [HIGH_PX] * 5
     row = strip(found)
     assert row.width > sum(picture.width for picture in found)
@@ -64,8 +69,8 @@ def test_strip_shows_five_pictures_side_by_side(shelf):
     assert 0.03 < share < 0.4
 
 
-def test_books_stay_in_front_of_the_shelf(shelf):
-    found = panels(shelf)
+def test_books_stay_in_front_of_the_shelf(shelf, pictures):
+    found = pictures
     (ring,) = shelf.example.in_front
     u, v = (np.mean(ring, axis=0) * HIGH_PX / 1200).astype(int)
     spot = (slice(v - 8, v + 8), slice(u - 8, u + 8))

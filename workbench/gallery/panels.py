@@ -178,6 +178,6 @@ def _reddened(scene: Scene, normal: Array) -> Scene:
     """The cut face in another colour."""
     from ..fabrication.rendering import triangle_normals
 
-    on_cut = triangle_normals(scene.triangles_mm) @ normal < -0.999
+    on_cut = triangle_normals(scene.triangles_mm) @ normal < -0.99
     colours = np.where(on_cut[:, None], (214, 110, 84), scene.colours)
     return Scene(scene.triangles_mm, scene.faces, colours)

@@ -8,7 +8,7 @@ from __future__ import annotations
 from .values import Stop
 
 #: A solve ends after so much work.
-MAX_EFFORT = 2500.0
+MAX_EFFORT = 1500.0
 #: An iteration costs a little by itself, and more with the square of its unknowns and conditions.
 ITERATION, BY_SIZE = 0.3, 1.5e-4
 #: To ask whether annotations agree costs a little by itself, and more with what was drawn and said.

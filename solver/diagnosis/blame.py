@@ -22,7 +22,9 @@ COMPARABLE = 0.25
 #: An annotation counts as contradicting the drawing where chance would do as much with this
 #: probability, and the drawing is missed by at least this part of its diagonal (RMS): half a pixel.
 CHANCE, CHANCE_AS_DRAWN = 1e-5, 2e-3
-NOTICEABLE = 0.0007
+NOTICEABLE = 0.005
+#: Less is noticed, down to half a pixel, where the drawing is met so many times better without.
+LEAST_NOTICEABLE, CLEARLY = 0.0007, 3.0
 #: How many observations the knowledge of how people draw counts for.
 USUAL_COUNT = 6
 #: A careless hand strays so far.
@@ -105,7 +107,8 @@ def contradicts(whole: Reading, part: Reading) -> bool:
     """
     freed = max(1, part.n_free - whole.n_free)
     spare = part.n_observed - part.n_free
-    if not part.plausible or spare < 1 or whole.rms < NOTICEABLE:
+    seen = whole.rms > NOTICEABLE or whole.rms > max(LEAST_NOTICEABLE, CLEARLY * part.rms)
+    if not part.plausible or spare < 1 or not seen:
         return False
     gain = max(whole.misfit - part.misfit, 0.0) / freed
     left = part.misfit + part.n_observed * FINEST**2

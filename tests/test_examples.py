@@ -10,7 +10,14 @@ import pytest
 import shapely
 import trimesh
 from asserts import assert_annotations_hold, assert_solved
-from fabrication.test_other_readers import needs, read_by_inkscape, read_by_librecad, run
+from fabrication.test_other_readers import (
+    IMPORT_ALL,
+    IMPORTER,
+    needs,
+    paths_in,
+    read_by_librecad,
+    run,
+)
 from PIL import Image, ImageOps
 
 from incontext.solver import findings, load_sketch, solve
@@ -111,15 +118,19 @@ def test_files_are_what_is_expected(example, made):
 
 @needs("inkscape")
 @needs("librecad")
-def test_plates_are_read_back_by_other_programs(example, made):
+def test_plates_are_read_back_by_other_programs(example, made, tmp_path):
     """FreeCAD's importer is asked in `freecad/test_examples.py`."""
     if example.is_printed:
         return
-    path, facts = made / f"{example.name}.dxf", example.facts
+    facts = example.facts
+    path = tmp_path / "plates.dxf"
+    path.write_bytes((made / f"{example.name}.dxf").read_bytes())
+    run("/usr/bin/python3", "-c", IMPORT_ALL, IMPORTER, path, folder=tmp_path)
+    layers = paths_in(path.with_suffix(".dxf.svg"))
     by_inkscape = sum(
         shapely.LineString([*points, points[0]]).length
         for layer in ("CUT_OUTER", "CUT_INNER")
-        for points, closed in read_by_inkscape(path).get(layer, [])
+        for points, closed in layers.get(layer, [])
         if closed
     )
     assert by_inkscape == pytest.approx(facts["cut_length_mm"], rel=facts["tolerance"])

@@ -126,7 +126,8 @@ def lift_near(
     if pose is None:
         return None
     full = FullProblem(problem, _told(problem))
-    minimum = minimise(full, pose, max_iterations=MAX_ITERATIONS, stop=stop)
+    enough = NEXT_ENOUGH if problem.log_focal_prior is None else ENOUGH
+    minimum = minimise(full, pose, max_iterations=MAX_ITERATIONS, enough=enough, stop=stop)
     above = camera_above_ground(graph, problem, minimum.x)
     near = Lifted(problem, full, minimum, above)
     if not above or not minimum.converged:
@@ -216,6 +217,8 @@ def _best(
     """
     full = FullProblem(problem, prior)
     known: list[Array] = []
+    # Without a focal length it goes on with the usual one.
+    enough = NEXT_ENOUGH if problem.log_focal_prior is None else ENOUGH
 
     def been(x: Pose) -> bool:
         shape = full.shape(x)
@@ -261,11 +264,11 @@ def _best(
     for t in _promising(graph, tried):
         least = min((f.minimum.cost for f in finished), default=np.inf)
         settled = t.minimum.converged and t.minimum.cost > SETTLED * least
-        pursuit = _Pursuit(carry_on, ENOUGH, MAX_ITERATIONS, least)
+        pursuit = _Pursuit(carry_on, enough, MAX_ITERATIONS, least)
         finished.append(t if settled else seen(pursuit.of(_open(t.minimum))))
     for pose in _with_floats_moved(problem, finished):
         least = min(f.minimum.cost for f in finished)
-        finished.append(seen(_Pursuit(carry_on, ENOUGH, MAX_ITERATIONS, least).of(begin(pose))))
+        finished.append(seen(_Pursuit(carry_on, enough, MAX_ITERATIONS, least).of(begin(pose))))
     return _preferred(graph, finished)[0] if finished else None
 
 

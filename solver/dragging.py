@@ -108,7 +108,8 @@ def drag(last: Drag, graph: SketchGraph) -> Drag:
 def _moved(last: Drag, structure: Structure, pose: Pose, graph: SketchGraph) -> Drag:
     core = without_profiles(listing_named_faces(graph, last.solution.faces))
     full = FullProblem(build_problem(core, structure), last._prior)
-    x = minimise(full, pose, max_iterations=ITERATIONS, near=True).x
+    weighed = last._spare is not None
+    x = minimise(full, pose, max_iterations=ITERATIONS - weighed, near=True).x
     prior = last._prior
     if last._spare is not None:
         # The misfit has changed, and with it how far the drawing is trusted.

@@ -62,7 +62,11 @@ def test_the_command_writes_what_is_ticked(window, shelf, tmp_path):
     from incontext.workbench.panels.export_dialog import ExportDialog
 
     def answer():
-        (dialog,) = window.findChildren(ExportDialog)
+        found = [one for one in window.findChildren(ExportDialog) if one.isVisible()]
+        if not found:
+            QtCore.QTimer.singleShot(200, answer)
+            return
+        dialog = found[0]
         name, folder = dialog.findChildren(QtGui.QLineEdit)
         name.setText("shelf")
         folder.setText(str(tmp_path))

@@ -12,7 +12,9 @@ from rectangles import SMALL, camera_at, corners_mm, seen
 from incontext.solver import load_sketch, save_sketch
 from incontext.solver.graph import Ellipse, Photo, SketchGraph
 from incontext.workbench.cli import main
+from incontext.workbench.examples import EXAMPLES, example_path
 from incontext.workbench.lens import Lens, lens_of, straight_picture, straightened_sketch
+from incontext.workbench.straighten_command import lens_of_sketch
 
 CAMERA = camera_at(50, -75, 560, 900, photo=SMALL)
 PAPER = (300.0, 280.0)
@@ -57,6 +59,28 @@ def test_a_small_marker_in_the_middle_tells_nothing():
     lens = lens_of(grey, lines)
     assert not lens.distorts
     assert lens_of(np.full((600, 800), 99.0), lines) is None
+
+
+def test_one_bent_thing_is_no_lens():
+    rng = np.random.default_rng(3)
+    grey = seen(CAMERA, SMALL, rng, paper_mm=PAPER)
+    # A bowl's rim along the foot of the photo, which somebody took for straight.
+    u, v = np.meshgrid(np.arange(800) + 0.5, np.arange(600) + 0.5)
+    grey[v > 560 + 6 * ((u - 400) / 300) ** 2] = 20.0
+    rim = (np.array([100.0, 566.0]), np.array([700.0, 566.0]))
+    alone = lens_of(grey, {"rim": rim})
+    assert alone.bends_px["rim"] > 4
+    assert not alone.distorts
+    lens = lens_of(grey, lines_of(0.0, rng) | {"rim": rim})
+    assert lens.worst == "rim"
+    assert not lens.distorts
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_a_photo_of_a_pinhole_camera_has_no_lens_to_straighten(name):
+    sketch = example_path(name)
+    lens = lens_of_sketch(load_sketch(sketch), sketch)
+    assert lens is None or not lens.distorts
 
 
 def test_the_straight_picture_is_that_of_a_straight_lens():

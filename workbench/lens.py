@@ -33,6 +33,8 @@ _LEAST_POINTS = 24
 _REACH = 0.012
 #: A k that is so many standard errors from 0, and bends a line by so much, is a lens's.
 _SIGNIFICANT, _LEAST_BEND_PX = 4.0, 1.0
+#: A line of which more of the bend than this is left by the lens that all tell is bent itself.
+_LEFT = 0.3
 #: Neighbouring points see the same pixels: about every third tells something new.
 _ALIKE = 3.0
 #: No usual lens bends more: beyond, the inverse would fold over.
@@ -54,6 +56,8 @@ class Lens:
         Its standard error.
     bends_px : mapping of line to px
         How far each line bends.
+    is_agreed : bool
+        Whether it makes all lines straight, and is told without any one of them too.
     """
 
     principal_px: Array
@@ -61,6 +65,7 @@ class Lens:
     k: float
     sigma: float
     bends_px: Mapping[str, float]
+    is_agreed: bool = True
 
     @property
     def worst(self) -> str:
@@ -70,8 +75,8 @@ class Lens:
     @property
     def distorts(self) -> bool:
         """Whether the lines bend as lenses bend them, by more than chance does."""
-        sure = abs(self.k) > _SIGNIFICANT * self.sigma
-        return sure and self.bends_px[self.worst] > _LEAST_BEND_PX
+        sure = _is_sure(self.k, self.sigma)
+        return sure and self.is_agreed and self.bends_px[self.worst] > _LEAST_BEND_PX
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -126,9 +131,31 @@ def lens_of(
     if not seen:
         return None
     half = float(np.hypot(width, height)) / 2
-    k, sigma = _distortion([(p - principal) / half for p in seen.values()])
+    lines = [(p - principal) / half for p in seen.values()]
+    k, sigma = _distortion(lines)
     bends = {name: _bend(points) for name, points in seen.items()}
-    return Lens(np.asarray(principal, dtype=float), half, k, sigma, bends)
+    agreed = _is_sure(k, sigma) and _is_agreed(lines, k, half)
+    return Lens(np.asarray(principal, dtype=float), half, k, sigma, bends, agreed)
+
+
+def _is_sure(k: float, sigma: float) -> bool:
+    return abs(k) > _SIGNIFICANT * sigma
+
+
+def _is_agreed(lines: list[Array], k: float, half_px: float) -> bool:
+    """Whether lines bend by the lens: one that found another edge bends by itself."""
+    for line in lines:
+        before, after = (half_px * _bend(_moved(line, np.zeros(2), 1.0, by)) for by in (0.0, k))
+        if after > max(_LEAST_BEND_PX / 2, _LEFT * before):
+            return False
+    others = [[*lines[:n], *lines[n + 1 :]] for n in range(len(lines))]
+    return len(lines) > 1 and all(_says_so(rest, k) for rest in others)
+
+
+def _says_so(lines: list[Array], k: float) -> bool:
+    """Whether some lines tell by themselves that there is a distortion to the same side."""
+    own, sigma = _distortion(lines)
+    return own * k > 0 and _is_sure(own, sigma)
 
 
 def _points_on(grey: Array, p: Array, q: Array, reach_px: float) -> Array:

@@ -162,6 +162,7 @@ def offer_to_install(error: ModuleNotFoundError) -> bool:
     import FreeCADGui
 
     from .. import packages
+    from .asking import shown
 
     wanted = packages.requirements_for(str(error.name).split(".")[0])
     dialog = InstallDialog(
@@ -170,7 +171,7 @@ def offer_to_install(error: ModuleNotFoundError) -> bool:
         packages.command_to_type(wanted),
         FreeCADGui.getMainWindow(),
     )
-    installed = bool(dialog.exec_())
+    installed = shown(dialog)
     if installed:
         packages.look_again()
     return installed

@@ -13,6 +13,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Callable, Mapping
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from incontext.workbench.launch import Launch, LaunchError, run
@@ -60,6 +61,11 @@ def window() -> int:
     return _inside(window=True)
 
 
+def solver() -> int:
+    """Tests of the solver, with whatever Python this is."""
+    return _python("pytest", *PYTEST, *_solver_tests())
+
+
 def oldest() -> int:
     """Tests of the solver with this system's own numpy and scipy."""
     tools = ROOT / "build" / "test-tools"
@@ -73,19 +79,21 @@ def oldest() -> int:
 
 
 def freecad_1_0() -> int:
-    """Tests inside FreeCAD 1.0, and those in plain Python with the Python it has."""
+    """Tests inside FreeCAD 1.0, and those of the solver with the Python it has."""
     return _in_root("1.0")
 
 
 def freecad_1_1() -> int:
-    """Tests inside FreeCAD 1.1, and those in plain Python with the Python it has."""
+    """Tests inside FreeCAD 1.1, and those of the solver with the Python it has."""
     return _in_root("1.1")
 
 
 #: The stages of `make test`.
 USUAL: tuple[Callable[[], int], ...] = (lint, types, python, console, window)
+#: They run at the same time, each on a core of its own.
+IN_ROOTS: tuple[Callable[[], int], ...] = (freecad_1_0, freecad_1_1)
 STAGES: dict[str, Callable[[], int]] = {
-    stage.__name__: stage for stage in (*USUAL, oldest, freecad_1_0, freecad_1_1)
+    stage.__name__: stage for stage in (*USUAL, solver, oldest, *IN_ROOTS)
 }
 
 
@@ -120,8 +128,18 @@ def _in_root(version: str) -> int:
     if as_root and shutil.which("sudo") is None:
         print("only root can make and enter roots, and there is no sudo")
         return CANNOT
-    stages = ("python", "console", "window")
-    return subprocess.run([*as_root, *command, *stages], cwd=ROOT, check=False).returncode
+    # The window's tests are those of the console and more.
+    stages = ("solver", "window")
+    there = subprocess.Popen(
+        [*as_root, *command, *stages],
+        cwd=ROOT,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+    )
+    for line in there.stdout:
+        print(f"[{version}] {line}", end="", flush=True)
+    return there.wait()
 
 
 def _inside(*, window: bool) -> int:
@@ -143,6 +161,11 @@ def _inside(*, window: bool) -> int:
             return 1
 
 
+def _run(name: str) -> int:
+    print(f"== {name}: {STAGES[name].__doc__}", flush=True)
+    return STAGES[name]()
+
+
 def main(names: list[str]) -> int:
     """Run the named stages, or all, each whatever became of the others."""
     names = list(STAGES) if names == ["all"] else names or [stage.__name__ for stage in USUAL]
@@ -150,14 +173,12 @@ def main(names: list[str]) -> int:
     if unknown:
         print(f"no such stage: {', '.join(unknown)}; there are: {', '.join(STAGES)}")
         return 2
-    failed, missed = [], []
-    for name in names:
-        print(f"== {name}: {STAGES[name].__doc__}", flush=True)
-        status = STAGES[name]()
-        if status == CANNOT and os.environ.get(MAY_MISS):
-            missed.append(name)
-        elif status != 0:
-            failed.append(name)
+    in_roots = [name for name in names if STAGES[name] in IN_ROOTS]
+    statuses = {name: _run(name) for name in names if name not in in_roots}
+    with ThreadPoolExecutor(len(IN_ROOTS)) as pool:
+        statuses |= dict(zip(in_roots, pool.map(_run, in_roots), strict=True))
+    missed = [n for n, s in statuses.items() if s == CANNOT and os.environ.get(MAY_MISS)]
+    failed = [n for n, s in statuses.items() if s != 0 and n not in missed]
     if missed:
         print(f"== NOT TESTED, for this machine cannot make their roots: {', '.join(missed)}")
     passed = "== all other stages passed" if missed else "== all stages passed"

@@ -11,7 +11,7 @@ from PySide import QtCore, QtGui
 
 from incontext.tests.freecad.hands import pump
 from incontext.workbench import host, packages
-from incontext.workbench.panels import installing
+from incontext.workbench.panels import asking, installing
 from incontext.workbench.panels.installing import InstallDialog
 
 TYPED = "python3 -m pip install --target /somewhere cadquery"
@@ -123,7 +123,7 @@ def test_a_command_that_is_not_to_install_does_nothing(shelf, monkeypatch):
         importlib.util, "find_spec", lambda name: None if name == "cadquery" else there(name)
     )
     shown = []
-    monkeypatch.setattr(InstallDialog, "exec_", lambda self: shown.append(self.words) or 0)
+    monkeypatch.setattr(asking, "shown", lambda window: shown.append(window.words) or False)
     FreeCADGui.activateWorkbench("InContextWorkbench")
     count = len(shelf[0].Document.Objects)
     FreeCADGui.Selection.clearSelection()

@@ -11,7 +11,8 @@ from contextlib import suppress
 
 import numpy as np
 import pytest
-from fuzzing import KINDS, flipped, good_sketch, put_through, replace_somewhere, wild_sketch
+from fuzzing import KINDS, flipped, good_sketch, put_through, replace_somewhere
+from wild_sketches import wild_sketch
 
 from incontext.solver import SketchError, findings, solve
 from incontext.solver.model import build_model

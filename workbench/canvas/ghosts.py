@@ -20,6 +20,8 @@ from .plane import middle
 from .qt import QtCore, QtGui
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from ...solver.graph import SketchGraph
     from .overlay import Scene
     from .symbols import Point, Stroke
@@ -91,13 +93,17 @@ class Ghosts:
         self.suggestions = still_open(graph, self._offered)
         self._painted, self.lit = [], None
 
-    def point_at(self, place: Point | None) -> bool:
-        """Light the ghost of which a handle is near; says whether that has changed anything."""
+    def point_at(self, place: Point | None, others: Sequence[Point] = ()) -> bool:
+        """Light the ghost of which a handle is near, and nearer than other places.
+
+        Says whether that has changed anything.
+        """
         before, self.lit = self.lit, None
         if place is not None:
             near = ((min(math.dist(h, place) for h in g.handles), g) for g in self._painted)
             distance, ghost = min(near, key=lambda found: found[0], default=(math.inf, None))
-            if ghost is not None and distance <= style.PLUS_PX + 2:
+            reach = min([style.PLUS_PX + 2, *(math.dist(other, place) for other in others)])
+            if ghost is not None and distance <= reach:
                 self.lit = ghost.annotation
         return self.lit != before
 

@@ -341,9 +341,11 @@ class SketchView(PhotoView):
 
     def _point_at_ghosts(self, place_px: Point | None, *, is_free: bool) -> None:
         """Light the ghost under the pointer; it is there for who selects, and draws nothing."""
-        at_vertex = bool(self._drawing.preview.lit.vertices)
-        looks = is_free and self.tool_name == "select" and not at_vertex and place_px is not None
-        if self._ghosts.point_at(self._on_screen(place_px) if looks else None):
+        looks = is_free and self.tool_name == "select" and place_px is not None
+        # What is nearer is meant: the plus of a short edge lies close to its vertices.
+        lit = [self.graph.vertices.get(v) for v in self._drawing.preview.lit.vertices]
+        others = [self._on_screen(vertex_px) for vertex_px in lit if vertex_px is not None]
+        if self._ghosts.point_at(self._on_screen(place_px) if looks else None, others):
             self._refresh()
 
     def cursor_shape(self) -> _Qt.CursorShape:

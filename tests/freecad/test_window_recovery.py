@@ -7,6 +7,7 @@ from pathlib import Path
 
 import FreeCAD
 import pytest
+from PySide import QtGui
 
 from incontext.tests.freecad.hands import pump, wait_until
 from incontext.workbench.launch import Launch, LaunchError, run
@@ -18,6 +19,8 @@ CALL = "incontext.tests.freecad.fresh_process:"
 
 def test_nothing_committed_is_lost_when_freecad_is_killed(hands, tmp_path, photo_path):
     before, after = tmp_path / "before.json", tmp_path / "after.json"
+    # While we wait for them, the others would wait for what we have in the clipboard.
+    QtGui.QApplication.clipboard().clear()
     # What is unsaved lies where the system keeps what is temporary.
     places = {"TMPDIR": str(tmp_path), "TEMP": str(tmp_path)}
     first = Launch(

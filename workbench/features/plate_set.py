@@ -9,9 +9,9 @@ from .. import host
 from ..problems import in_words, known_problems
 from . import pipeline
 from .dimensions import driven_text
-from .presets import KINDS, offer_presets, take_preset
+from .preset_proxy import PresetProxy
 from .properties import OUTCOME, TAKEN, Editor, Property, apply_preferences, fail, set_outcome
-from .proxy import Proxy, is_edited, is_of_type
+from .proxy import is_of_type
 
 if TYPE_CHECKING:
     from ..fabrication.plates import Joined
@@ -23,9 +23,10 @@ RELIEFS = ("none", "dogbone", "tbone")
 GRAINS = ("free", "x", "y")
 
 
-class PlateSet(Proxy):
+class PlateSet(PresetProxy):
     """Makes plates of a lifted model. The kerf is for the cut paths alone: no solid knows it."""
 
+    MAKES = "plates"
     TYPE = TYPE
     PROPERTIES = (
         Property("App::PropertyLink", "LiftedModel", "Plates", "The model that plates are made of"),
@@ -151,20 +152,6 @@ class PlateSet(Proxy):
             editor=Editor.READ_ONLY,
         ),
     )
-
-    def __init__(self, obj: Any) -> None:
-        super().__init__(obj)
-        offer_presets(obj, "plates")
-
-    def onDocumentRestored(self, obj: Any) -> None:  # noqa: N802  FreeCAD's name
-        """See `Proxy.onDocumentRestored`; presets may have come and gone."""
-        super().onDocumentRestored(obj)
-        offer_presets(obj, "plates")
-
-    def onChanged(self, obj: Any, name: str) -> None:  # noqa: N802
-        """A preset that was chosen sets its values."""
-        if name in KINDS and is_edited(obj):
-            take_preset(obj, name, "plates")
 
     def execute(self, obj: Any) -> None:
         """Make the plates; where that cannot be done, keep the last ones and say why."""

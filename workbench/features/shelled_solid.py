@@ -8,9 +8,9 @@ from .. import host
 from ..problems import in_words, known_problems
 from . import pipeline
 from .dimensions import driven_text
-from .presets import KINDS, offer_presets, take_preset
+from .preset_proxy import PresetProxy
 from .properties import OUTCOME, TAKEN, Property, apply_preferences, fail, set_outcome
-from .proxy import Proxy, is_edited, is_of_type
+from .proxy import is_of_type
 
 if TYPE_CHECKING:
     from ..fabrication.settings import ShellSettings
@@ -20,9 +20,10 @@ SIDES = ("inside", "outside", "middle")
 OPEN_ENDS = ("wider", "bottom", "top", "both", "none")
 
 
-class ShelledSolid(Proxy):
+class ShelledSolid(PresetProxy):
     """Hollows a lifted model out; faces left out are openings."""
 
+    MAKES = "print"
     TYPE = TYPE
     PROPERTIES = (
         Property("App::PropertyLink", "LiftedModel", "Shell", "The model that is hollowed out"),
@@ -65,20 +66,6 @@ class ShelledSolid(Proxy):
         ),
         *OUTCOME,
     )
-
-    def __init__(self, obj: Any) -> None:
-        super().__init__(obj)
-        offer_presets(obj, "print")
-
-    def onDocumentRestored(self, obj: Any) -> None:  # noqa: N802  FreeCAD's name
-        """See `Proxy.onDocumentRestored`; presets may have come and gone."""
-        super().onDocumentRestored(obj)
-        offer_presets(obj, "print")
-
-    def onChanged(self, obj: Any, name: str) -> None:  # noqa: N802
-        """A preset that was chosen sets its values."""
-        if name in KINDS and is_edited(obj):
-            take_preset(obj, name, "print")
 
     def execute(self, obj: Any) -> None:
         """Make the solid; where that cannot be done, keep the last one and say why."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 
-WIDGETS = ["test_photo.py", "test_view.py", "test_overlay.py"]
+WIDGETS = ["test_ghosts.py", "test_overlay.py", "test_photo.py", "test_view.py"]
 
 collect_ignore: list[str] = []
 if importlib.util.find_spec("FreeCAD") is None:

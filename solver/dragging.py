@@ -9,7 +9,6 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from .blas_threads import one_blas_thread
-from .focal_prior import USUAL, spare_observations, tighter, usual_prior
 from .full import EXIF_LOG_SIGMA, FocalPrior, FullProblem, Pose
 from .graph import SketchGraph
 from .least_squares import minimise
@@ -19,11 +18,12 @@ from .placed import put_in_world
 from .problem import build_problem
 from .revolution import without_profiles
 from .solution import Solution
+from .starting.focal_prior import USUAL, spare_observations, tighter, usual_prior
+from .starting.warm_start import pose_from
 from .structure import Structure, build_structure
 from .symmetry import Geometry, mirrored
 from .topology import Topology, topology_of
 from .two_step import solve
-from .warm_start import pose_from
 
 #: Iterations at each move: the shape follows within a fraction of a pixel.
 ITERATIONS = 2

@@ -21,9 +21,9 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from .circles import tilted_views
-from .drawn_lines import Agreement, DrawnLines, Pencils, drawn_lines, gathered, turns
 from .geometry import cross
 from .problem import Problem
+from .starting.drawn_lines import Agreement, DrawnLines, Pencils, drawn_lines, gathered, turns
 from .values import Array, BoolArray
 
 #: Focal lengths beyond these, in image units, are no camera a person holds.

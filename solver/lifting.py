@@ -18,17 +18,17 @@ import numpy as np
 
 from .blaming import is_doubtful
 from .diagnosis import focal_sigma
-from .floating import floats_matter, lifts, other_depths, same_lift
-from .focal_prior import USUAL, spare_observations, tighter, usual_prior
 from .full import EXIF_LOG_SIGMA, FocalPrior, FullProblem, Pose
 from .graph import SketchGraph
 from .initial import Start, lift_linear, views
 from .least_squares import ENOUGH, EXACT_COST, Minimum, minimise
 from .problem import Problem, build_problem
 from .solution import Solution
+from .starting.floating import floats_matter, lifts, other_depths, same_lift
+from .starting.focal_prior import USUAL, spare_observations, tighter, usual_prior
+from .starting.warm_start import pose_from
 from .structure import Structure
 from .values import Array, Stop
-from .warm_start import pose_from
 from .world import camera_above_ground, ground_indices, lean
 
 #: Views that are carried on to the full step.

@@ -17,8 +17,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from .editing.substitution import Substitution, substituted
 from .graph import SketchGraph
-from .substitution import Substitution, substituted
 from .values import Array
 
 

@@ -14,9 +14,9 @@ from typing import Any
 from .errors import SketchError, SketchFileError, SketchFormatError
 from .files import write_files
 from .graph import SketchGraph
-from .parsing import graph_from_json
+from .reading.parsing import graph_from_json
+from .reading.solution_parsing import solution_from_json
 from .solution import Solution
-from .solution_parsing import solution_from_json
 
 #: A sketch larger than this is not opened.
 MAX_BYTES = 50_000_000

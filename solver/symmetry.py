@@ -20,7 +20,7 @@ from scipy.spatial import cKDTree
 
 from .annotations import SymmetryPlane
 from .graph import Face, SketchGraph
-from .parsing import MAX_EDGES
+from .reading.parsing import MAX_EDGES
 from .topology import topology_of
 from .values import Array
 

@@ -57,10 +57,10 @@ from .necker import fits_as_well, twin_of
 from .on_found_faces import solve_on_found_faces
 from .placed import put_in_world
 from .problem import build_problem
-from .rescuing import lift_as_guessed, rescued
 from .residuals import annotation_residuals
 from .revolution import without_profiles
 from .solution import Report, Solution, Status
+from .starting.rescuing import lift_as_guessed, rescued
 from .structure import Structure, build_structure
 from .symmetry import Geometry, mirrored
 from .values import Array, Progress, Stop, rows_of

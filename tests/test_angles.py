@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from incontext.solver import SketchError, load_sketch, solve
-from incontext.solver.angles import angles_deg, driving_angles_deg, set_angle
 from incontext.solver.annotations import RightAngle
+from incontext.solver.dimensions.angles import angles_deg, driving_angles_deg, set_angle
 from incontext.solver.synthetic import Views, photograph_exactly, random_camera, wedge
 
 DATA = Path(__file__).parent / "data"

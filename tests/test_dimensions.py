@@ -9,7 +9,7 @@ import pytest
 
 from incontext.solver import SketchError, load_sketch, solve
 from incontext.solver.annotations import EqualLength
-from incontext.solver.dimensions import driving_sizes_mm, set_size, sizes_mm, tied_edges
+from incontext.solver.dimensions.lengths import driving_sizes_mm, set_size, sizes_mm, tied_edges
 
 DATA = Path(__file__).parent / "data"
 

@@ -14,9 +14,9 @@ from incontext.solver.camera import Camera
 from incontext.solver.dragging import begin_drag, drag
 from incontext.solver.graph import SketchGraph
 from incontext.solver.problem import build_problem
+from incontext.solver.starting.warm_start import pose_from
 from incontext.solver.structure import build_structure
 from incontext.solver.synthetic import LID, SHAPES, box, photograph, photograph_turned, table
-from incontext.solver.warm_start import pose_from
 
 
 def moved(graph: SketchGraph, vertex: str, by: tuple[float, float]) -> SketchGraph:

@@ -7,11 +7,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from incontext.solver import SketchError, load_sketch
-from incontext.solver import annotating as say
-from incontext.solver import editing as edit
 from incontext.solver.annotations import EqualLength, Ground, Length, OnFace, Parallel, RightAngle
+from incontext.solver.editing import annotating as say
+from incontext.solver.editing import elements as edit
 from incontext.solver.graph import Ellipse, Face, Revolution, SketchGraph
-from incontext.solver.parsing import check_references, graph_from_json
+from incontext.solver.reading.parsing import check_references, graph_from_json
 
 SHELF = Path(__file__).parent / "data" / "shelf.sketch.json"
 

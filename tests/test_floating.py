@@ -11,7 +11,7 @@ from scenes import FAMILIES, Hand, box, organizer, photograph, tapered_tray
 
 from incontext.solver import solve
 from incontext.solver.annotations import EqualLength, SymmetryPlane
-from incontext.solver.floating import n_floats
+from incontext.solver.starting.floating import n_floats
 from incontext.solver.structure import build_structure
 
 

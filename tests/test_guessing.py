@@ -12,9 +12,9 @@ from scenes import SHAPES, box, l_shape, photograph
 from incontext.solver import solve
 from incontext.solver.annotations import RightAngle
 from incontext.solver.effort import Effort
-from incontext.solver.guessing import guesses
 from incontext.solver.problem import build_problem
 from incontext.solver.solution import Status
+from incontext.solver.starting.guessing import guesses
 from incontext.solver.structure import build_structure
 from incontext.solver.synthetic import organizer, staircase, table
 

@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from incontext.solver import SketchError, load_sketch, solve
-from incontext.solver.editing import delete
+from incontext.solver.dimensions.heights import driving_heights_mm, heights_mm, levels, set_height
+from incontext.solver.editing.elements import delete
 from incontext.solver.graph import SketchGraph
-from incontext.solver.heights import driving_heights_mm, heights_mm, levels, set_height
 
 DATA = Path(__file__).parent / "data"
 

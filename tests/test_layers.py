@@ -51,9 +51,6 @@ DATA_SIDE = {
     "solution",
     "values",
     "editing",
-    "annotating",
-    "rounds",
-    "listing",
     "geometry",
     "counts",
 }

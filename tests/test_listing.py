@@ -8,10 +8,10 @@ import pytest
 from scenes import box, photograph
 
 from incontext.solver import SketchError, solve
-from incontext.solver.annotating import annotate
 from incontext.solver.annotations import OnFace, Parallel, RightAngle
-from incontext.solver.editing import add_edge, add_vertex, delete, split_edge
-from incontext.solver.listing import (
+from incontext.solver.editing.annotating import annotate
+from incontext.solver.editing.elements import add_edge, add_vertex, delete, split_edge
+from incontext.solver.editing.listing import (
     Choice,
     choices,
     found_faces,

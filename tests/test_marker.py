@@ -11,8 +11,8 @@ from scenes import box, photograph_exactly, v
 
 from incontext.solver import SketchError, solve
 from incontext.solver.graph import Photo
-from incontext.solver.marker import RECTANGLES, camera_from_rectangle
-from incontext.solver.plane_pose import PlanePose, Sight
+from incontext.solver.perspective.marker import RECTANGLES, camera_from_rectangle
+from incontext.solver.perspective.plane_pose import PlanePose, Sight
 
 SQUARE = (100.0, 100.0)
 EXACT_PX = 0.01

@@ -7,11 +7,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from incontext.solver import SketchError
-from incontext.solver import rounds as edit
 from incontext.solver.annotations import Diameter
-from incontext.solver.editing import add_edge, add_vertex, delete, split_edge
+from incontext.solver.editing import rounds as edit
+from incontext.solver.editing.elements import add_edge, add_vertex, delete, split_edge
 from incontext.solver.graph import Ellipse, SketchGraph
-from incontext.solver.parsing import check_references
+from incontext.solver.reading.parsing import check_references
 
 NUMBERS = st.floats(-500, 500)
 POINTS = st.tuples(NUMBERS, NUMBERS)

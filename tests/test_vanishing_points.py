@@ -11,7 +11,7 @@ from rectangles import camera_at
 from scenes import Views, bookshelf, box, photograph, photograph_exactly, with_traced_box
 
 from incontext.solver import save_sketch, solve
-from incontext.solver.vanishing_points import FAR_OFF, traced_lines
+from incontext.solver.perspective.vanishing_points import FAR_OFF, traced_lines
 from incontext.workbench.cli import main
 from incontext.workbench.panels.traced_texts import words_of
 

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from incontext.solver import load_sketch, solve
-from incontext.solver.dimensions import set_size, sizes_mm, tied_edges
-from incontext.solver.heights import heights_mm, set_height
+from incontext.solver.dimensions.heights import heights_mm, set_height
+from incontext.solver.dimensions.lengths import set_size, sizes_mm, tied_edges
 from incontext.solver.solution import Status
 
 DATA = Path(__file__).parent / "data"
@@ -61,7 +61,7 @@ def test_sizes_that_clash_with_each_other_are_named(shelf):
     edge = next(iter(shelf.edges))
     tied = tied_edges(shelf, edge)
     graph = set_size(shelf, edge, 100.0)
-    from incontext.solver.annotating import set_length
+    from incontext.solver.editing.annotating import set_length
 
     solution = solve(set_length(graph, tied[-1], 130.0))
     assert solution.status is Status.CONFLICTING

@@ -69,7 +69,7 @@ def add_camera(commands: Any) -> None:
 
 
 def _size(text: str) -> tuple[float, float]:
-    from ..solver.marker import RECTANGLES
+    from ..solver.perspective.marker import RECTANGLES
 
     for name, sides in RECTANGLES.items():
         if text.lower() == name.lower():
@@ -137,7 +137,7 @@ def _judge_lines(path: Path, *, is_photo: bool) -> int:
     """Say what the traced lines of a sketch tell, and how well each agrees."""
     from ..solver import load_sketch, solve
     from ..solver.errors import SketchError
-    from ..solver.vanishing_points import traced_lines
+    from ..solver.perspective.vanishing_points import traced_lines
     from .straighten_command import lens_of_sketch
 
     if is_photo:

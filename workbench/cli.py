@@ -209,8 +209,8 @@ def _solution_text(solution: Solution) -> bytes:
 
 def _check(arguments: argparse.Namespace) -> int:
     from ..solver import findings, solve
+    from ..solver.perspective.vanishing_points import traced_lines
     from ..solver.solution import Status
-    from ..solver.vanishing_points import traced_lines
     from .photos import photo_problem
     from .straighten_command import lens_of_sketch
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..solver.errors import SketchError
-from ..solver.marker import RectangleView, camera_from_rectangle, ring_of
+from ..solver.perspective.marker import RectangleView, camera_from_rectangle, ring_of
 from ..solver.problem import TRACED_SIGMA_PX
 from .photo_lines import FoundLine, refined_corners
 

@@ -13,9 +13,9 @@ from ..graph import SketchGraph
 from ..problem import build_problem
 from ..revolution import without_profiles
 from ..solution import Solution
+from ..starting.warm_start import pose_from
 from ..structure import build_structure
 from ..values import Array
-from ..warm_start import pose_from
 from .suspects import row_owners, softened
 
 #: A part of the span of all rows smaller than this is rounding.

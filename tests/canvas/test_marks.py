@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from incontext.solver import load_sketch
-from incontext.solver.editing import move_vertices
+from incontext.solver.editing.elements import move_vertices
 from incontext.workbench.canvas.hit_testing import vertex_at
 from incontext.workbench.canvas.marks import length_text, marks_of
 

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from incontext.solver.annotations import Ground
-from incontext.solver.editing import move_vertices
+from incontext.solver.editing.elements import move_vertices
 from incontext.tests.canvas.test_tools import SQUARE
 from incontext.workbench.canvas.numbers import Numbers
 

@@ -14,7 +14,7 @@ from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, pr
 
 from incontext.solver import load_sketch, solve
 from incontext.solver.graph import SketchGraph
-from incontext.solver.parsing import check_references
+from incontext.solver.reading.parsing import check_references
 from incontext.solver.serialise import sketch_from_text, sketch_to_text
 from incontext.workbench.canvas.drawing import Drawing, Listener
 from incontext.workbench.canvas.key_cursor import KeyCursor

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from incontext.solver.annotations import EqualLength, Ground, Length, Parallel, RightAngle
 from incontext.solver.graph import SketchGraph
-from incontext.solver.parsing import check_references
+from incontext.solver.reading.parsing import check_references
 from incontext.workbench.canvas.drawing import Drawing, Listener
 from incontext.workbench.canvas.preview import Selection
 from incontext.workbench.canvas.questions import About, Question

@@ -63,7 +63,7 @@ def driving(shelf):
 @pytest.fixture
 def free(shelf, driving):
     """An edge that is not tied to the driving one."""
-    from incontext.solver.dimensions import tied_edges
+    from incontext.solver.dimensions.lengths import tied_edges
 
     graph = pipeline.graph_of(shelf[0].Sketch)
     return next(e for e in graph.edges if e not in tied_edges(graph, driving))
@@ -128,7 +128,7 @@ def test_an_expression_drives_without_touching_the_sketch(shelf, document, drivi
 
 
 def test_tied_lengths_change_together(shelf, document, driving):
-    from incontext.solver.dimensions import tied_edges
+    from incontext.solver.dimensions.lengths import tied_edges
 
     sketch, model, _ = shelf
     tied = tied_edges(pipeline.graph_of(sketch.Sketch), driving)
@@ -145,7 +145,7 @@ def test_tied_lengths_change_together(shelf, document, driving):
 
 
 def test_lengths_that_disagree_are_named_and_the_last_shape_stays(shelf, document, driving):
-    from incontext.solver.dimensions import tied_edges
+    from incontext.solver.dimensions.lengths import tied_edges
 
     sketch, model, plates = shelf
     tied = tied_edges(pipeline.graph_of(sketch.Sketch), driving)
@@ -184,7 +184,7 @@ def test_undo_and_redo_bring_dimension_and_sketch_back(shelf, document, driving)
 
 def test_an_edge_that_goes_takes_its_dimension_along(shelf, document, free):
     sketch, model, _ = shelf
-    from incontext.solver.editing import delete
+    from incontext.solver.editing.elements import delete
     from incontext.solver.serialise import sketch_to_text
 
     graph = delete(pipeline.graph_of(sketch.Sketch), edges=(free,))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import FreeCADGui
 import pytest
 
-from incontext.solver.dimensions import driving_sizes_mm, tied_edges
+from incontext.solver.dimensions.lengths import driving_sizes_mm, tied_edges
 from incontext.workbench.features import pipeline
 from incontext.workbench.features.dimension_names import HEIGHT, LENGTH, property_name
 from incontext.workbench.features.dimensions import DRIVING

@@ -130,7 +130,7 @@ def test_slow_solves_go_on_in_a_thread(slow, shelf_path):
 
 def test_only_what_is_still_wanted_comes(slow, shelf_path):
     from incontext.solver import load_sketch
-    from incontext.solver.editing import delete
+    from incontext.solver.editing.elements import delete
 
     lifting, came, _ = slow
     graph = load_sketch(shelf_path)
@@ -147,7 +147,7 @@ def test_only_what_is_still_wanted_comes(slow, shelf_path):
 
 
 def test_letting_go_waits_for_no_slow_solve(controller, shelf, monkeypatch):
-    from incontext.solver.editing import move_vertices
+    from incontext.solver.editing.elements import move_vertices
 
     lift, started = pipeline.lift, []
 

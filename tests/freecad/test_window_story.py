@@ -5,9 +5,9 @@ import numpy as np
 import pytest
 from PySide import QtCore
 
-from incontext.solver.annotating import set_length
 from incontext.solver.camera import Camera
-from incontext.solver.editing import add_edge, add_vertex
+from incontext.solver.editing.annotating import set_length
+from incontext.solver.editing.elements import add_edge, add_vertex
 from incontext.tests.freecad.hands import wait_until
 from incontext.workbench.canvas.overlay import Findings
 from incontext.workbench.features import pipeline

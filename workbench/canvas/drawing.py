@@ -13,11 +13,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from ...solver import rounds
-from ...solver.annotating import set_length
-from ...solver.editing import delete, toggle_construction
+from ...solver.editing import rounds
+from ...solver.editing.annotating import set_length
+from ...solver.editing.elements import delete, toggle_construction
+from ...solver.editing.listing import Choice, set_thickness
 from ...solver.graph import Face, Point, SketchGraph
-from ...solver.listing import Choice, set_thickness
 from .attraction import Attraction
 from .ground_grid import GroundGrid
 from .marks import Marks, marks_of

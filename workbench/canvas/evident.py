@@ -17,8 +17,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ...solver.annotating import annotate, toggle_ground
 from ...solver.annotations import Annotation, Ground, Parallel, RightAngle
+from ...solver.editing.annotating import annotate, toggle_ground
 from .loops import quads
 
 if TYPE_CHECKING:

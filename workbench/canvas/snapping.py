@@ -15,7 +15,7 @@ from enum import Enum
 from itertools import combinations
 from typing import TYPE_CHECKING
 
-from ...solver.editing import add_vertex, split_crossing, split_edge
+from ...solver.editing.elements import add_vertex, split_crossing, split_edge
 from .hit_testing import axis_end_at, edge_at, nearest_on, vertex_at
 from .plane import crossing, line_crossing, middle, on_line
 

@@ -16,8 +16,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...solver.editing.listing import choices, found_faces, has_half_drawn
 from ...solver.geometry import cross
-from ...solver.listing import choices, found_faces, has_half_drawn
 from .plane import Point, is_inside, middle
 
 if TYPE_CHECKING:

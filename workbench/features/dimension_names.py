@@ -77,9 +77,9 @@ def _unsafe(token: re.Match[str]) -> str:
 
 def driving(graph: SketchGraph) -> dict[Dimension, float]:
     """What the sketch says of its dimensions, mm and degrees."""
-    from ...solver.angles import driving_angles_deg
-    from ...solver.dimensions import driving_sizes_mm
-    from ...solver.heights import driving_heights_mm
+    from ...solver.dimensions.angles import driving_angles_deg
+    from ...solver.dimensions.heights import driving_heights_mm
+    from ...solver.dimensions.lengths import driving_sizes_mm
 
     found = {_size(graph, id_): size for id_, size in driving_sizes_mm(graph).items()}
     found |= {Dimension(HEIGHT, (id_,)): h for id_, h in driving_heights_mm(graph).items()}
@@ -88,9 +88,9 @@ def driving(graph: SketchGraph) -> dict[Dimension, float]:
 
 def measured(graph: SketchGraph, solution: Solution) -> dict[Dimension, float]:
     """What all dimensions came out as, mm and degrees."""
-    from ...solver.angles import angles_deg
-    from ...solver.dimensions import sizes_mm
-    from ...solver.heights import heights_mm
+    from ...solver.dimensions.angles import angles_deg
+    from ...solver.dimensions.heights import heights_mm
+    from ...solver.dimensions.lengths import sizes_mm
 
     found = {
         Dimension(DIAMETER if id_ in solution.circles else LENGTH, (id_,)): size
@@ -108,9 +108,9 @@ def said(graph: SketchGraph, dimension: Dimension, value: float | None) -> Sketc
     SketchError
         Where the value cannot be, or the sketch has no words for it.
     """
-    from ...solver.angles import set_angle
-    from ...solver.dimensions import set_size
-    from ...solver.heights import set_height
+    from ...solver.dimensions.angles import set_angle
+    from ...solver.dimensions.heights import set_height
+    from ...solver.dimensions.lengths import set_size
 
     if dimension.prefix == HEIGHT:
         return set_height(graph, dimension.ids[0], value)

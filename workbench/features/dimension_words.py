@@ -11,8 +11,8 @@ from .dimension_names import ANGLE, DIAMETER, HEIGHT, Dimension
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from ...solver.dimensions.heights import Level
     from ...solver.graph import SketchGraph
-    from ...solver.heights import Level
     from ...solver.solution import Solution
 
 #: World axes by the words that people use for sizes along them.
@@ -51,7 +51,7 @@ class Words:
 
     @cached_property
     def _levels(self) -> Mapping[str, Level]:
-        from ...solver.heights import levels
+        from ...solver.dimensions.heights import levels
 
         return levels(self._graph)
 

@@ -46,7 +46,7 @@ def with_photo(
     """The graph over another photo; the drawing is scaled where it is the same view, larger or
     smaller, and stays where it is, in px, on any other.
     """
-    from ...solver.editing import scaled
+    from ...solver.editing.elements import scaled
     from ...solver.graph import Photo
 
     width, height = size_px

@@ -32,7 +32,7 @@ def dimension_at(obj: Any, element: str) -> Dimension | None:
 
 
 def _height_at(obj: Any, point: Any, solution: Solution) -> Dimension | None:
-    from ...solver.heights import levels
+    from ...solver.dimensions.heights import levels
 
     for id_, level in levels(pipeline.graph_of(obj.PhotoSketch.Sketch)).items():
         for member in level.members:

@@ -205,7 +205,7 @@ class AnnotationPanel(QtGui.QWidget):
 
     def delete_selected(self) -> None:
         """Take away the annotations whose rows are selected."""
-        from ...solver.editing import delete
+        from ...solver.editing.elements import delete
 
         ids, graph = self.selected_ids(), self._graph()
         if self.controller is not None and graph is not None and ids:

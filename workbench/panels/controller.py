@@ -96,7 +96,7 @@ class SketchController:
 
     def _with_new_faces(self, graph: SketchGraph) -> SketchGraph:
         """The graph with the faces that came with an edit, where it lists its faces."""
-        from ...solver.listing import with_new_faces
+        from ...solver.editing.listing import with_new_faces
         from ...solver.serialise import sketch_to_text
 
         stored = self._stored_graph()

@@ -115,7 +115,7 @@ class RectangleDialog(QtGui.QDialog):
 
     def _take_kind(self, *_: object) -> None:
         """Fill in the sides of what it is."""
-        from ...solver.marker import RECTANGLES
+        from ...solver.perspective.marker import RECTANGLES
 
         name, last = self._name(), host.preferences()
         if name in PAPERS:

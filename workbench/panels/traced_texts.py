@@ -10,13 +10,13 @@ from .wording import in_language
 
 if TYPE_CHECKING:
     from ...solver.graph import SketchGraph
+    from ...solver.perspective.vanishing_points import TracedLine
     from ...solver.solution import Solution
-    from ...solver.vanishing_points import TracedLine
 
 
 def words_of(graph: SketchGraph, solution: Solution) -> tuple[str, str]:
     """Some sentences, and each line's own numbers, worst first; both empty where none is traced."""
-    from ...solver.vanishing_points import traced_lines
+    from ...solver.perspective.vanishing_points import traced_lines
 
     if not graph.construction:
         return "", ""

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from ....solver.annotating import annotate, on_ground, toggle_ground
 from ....solver.annotations import Parallel, RightAngle
-from ....solver.editing import add_edge
+from ....solver.editing.annotating import annotate, on_ground, toggle_ground
+from ....solver.editing.elements import add_edge
 from ..plane import Point, line_crossing
 from ..preview import Preview, Selection
 from ..snapping import Snap, SnapKind, place

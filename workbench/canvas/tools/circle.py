@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from ....solver.editing.rounds import add_circle, ellipse_in_box
 from ....solver.graph import Ellipse
-from ....solver.rounds import add_circle, ellipse_in_box
 from ..hit_testing import vertex_at
 from ..plane import Point
 from ..preview import Preview

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ....solver.listing import set_included
+from ....solver.editing.listing import set_included
 from .. import stops
 from ..plane import Point, middle
 from ..preview import Preview

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ....solver.annotating import toggle_ground
+from ....solver.editing.annotating import toggle_ground
 from .. import stops
 from ..hit_testing import edge_at, inside_box, vertex_at
 from ..loops import quad_around

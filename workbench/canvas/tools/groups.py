@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, ClassVar
 
-from ....solver.annotating import set_group
 from ....solver.annotations import EqualLength, Parallel
+from ....solver.editing.annotating import set_group
 from .. import stops
 from ..hit_testing import edge_at
 from ..preview import Preview, Selection

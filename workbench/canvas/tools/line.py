@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from ....solver.editing import add_edge
+from ....solver.editing.elements import add_edge
 from ..preview import Preview
 from ..snapping import Lead, Snap, SnapKind, place
 from .base import DRAG, Pointer, TwoPointTool

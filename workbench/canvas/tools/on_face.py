@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ....solver.annotating import annotate
 from ....solver.annotations import OnFace
-from ....solver.editing import delete
-from ....solver.listing import with_list
+from ....solver.editing.annotating import annotate
+from ....solver.editing.elements import delete
+from ....solver.editing.listing import with_list
 from .. import stops
 from ..hit_testing import vertex_at
 from ..preview import Preview, Selection

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
-from ....solver.annotating import annotate, on_ground, toggle_ground
 from ....solver.annotations import RightAngle
-from ....solver.editing import add_edge
+from ....solver.editing.annotating import annotate, on_ground, toggle_ground
+from ....solver.editing.elements import add_edge
 from ..perspective import Drag, Lie, on_plane
 from ..plane import Point
 from ..preview import Preview

@@ -6,8 +6,8 @@ import math
 from itertools import pairwise, takewhile
 from typing import TYPE_CHECKING
 
-from ....solver.editing import add_edge
-from ....solver.rounds import add_circle, set_revolution
+from ....solver.editing.elements import add_edge
+from ....solver.editing.rounds import add_circle, set_revolution
 from ..hit_testing import circle_at
 from ..plane import Point
 from ..preview import Preview, Selection

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ....solver.annotating import annotate
 from ....solver.annotations import RightAngle
-from ....solver.editing import delete
+from ....solver.editing.annotating import annotate
+from ....solver.editing.elements import delete
 from ....solver.graph import SketchGraph
 from .. import stops
 from ..hit_testing import Corner, corner_at

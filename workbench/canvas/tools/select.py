@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from ....solver import rounds
-from ....solver.editing import merge_vertices
+from ....solver.editing import rounds
+from ....solver.editing.elements import merge_vertices
 from .. import style
 from ..hit_testing import AxisEnd, axis_end_at, circle_at, edge_at, inside_box, vertex_at
 from ..plane import Point, on_line

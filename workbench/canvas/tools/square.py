@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ....solver.annotating import annotate
 from ....solver.annotations import EqualLength
+from ....solver.editing.annotating import annotate
 from .rectangle import RectangleTool
 
 if TYPE_CHECKING:

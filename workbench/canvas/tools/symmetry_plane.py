@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ....solver.annotating import annotate
 from ....solver.annotations import SymmetryPlane
-from ....solver.editing import delete
+from ....solver.editing.annotating import annotate
+from ....solver.editing.elements import delete
 from .. import stops
 from ..preview import Preview, Selection
 from ..symmetry import halved_with, midpoint_at, midpoint_px, outline_of

@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 
+from ..errors import SketchFormatError, SketchReferenceError
+from ..graph import Face
+from ..solution import FORMAT, MAX_MM, VERSION, Report, Residual, Solution, SolvedCircle, Status
 from . import json_reading as read
-from .errors import SketchFormatError, SketchReferenceError
-from .graph import Face
 from .parsing import MAX_EDGES, camera_from_json
-from .solution import FORMAT, MAX_MM, VERSION, Report, Residual, Solution, SolvedCircle, Status
 
 #: What a solution of the largest sketch has, its mirrored copies included; and one line of text.
 MAX_ENTRIES = 10 * MAX_EDGES

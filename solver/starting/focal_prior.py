@@ -11,8 +11,8 @@ import math
 
 import numpy as np
 
-from .full import DRAWING_SIGMA, FocalPrior, FullProblem, Pose
-from .initial import USUAL_LOG_FOCAL
+from ..full import DRAWING_SIGMA, FocalPrior, FullProblem, Pose
+from ..initial import USUAL_LOG_FOCAL
 
 #: Half the way from a phone's main camera to its twofold zoom.
 USUAL_SIGMA = 0.35

@@ -18,10 +18,10 @@ from functools import lru_cache
 
 import numpy as np
 
-from .problem import Problem
-from .structure import Structure
-from .topology import MAX_KEPT
-from .values import Array
+from ..problem import Problem
+from ..structure import Structure
+from ..topology import MAX_KEPT
+from ..values import Array
 
 #: Beyond so many coordinates nothing is searched.
 MAX_SEARCHED = 300

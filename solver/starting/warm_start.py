@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from .full import Pose
-from .geometry import cross
-from .graph import SketchGraph
-from .problem import Problem
-from .solution import Solution
-from .values import Array
+from ..full import Pose
+from ..geometry import cross
+from ..graph import SketchGraph
+from ..problem import Problem
+from ..solution import Solution
+from ..values import Array
 
 
 def pose_from(solution: Solution, graph: SketchGraph, problem: Problem) -> Pose | None:

@@ -9,10 +9,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .camera import Camera
-from .focal_prior import USUAL_SIGMA
-from .geometry import rotation
-from .initial import USUAL_LOG_FOCAL
+from ..camera import Camera
+from ..geometry import rotation
+from ..initial import USUAL_LOG_FOCAL
+from ..starting.focal_prior import USUAL_SIGMA
+from ..values import Array
 from .plane_pose import (
     Known,
     PlanePose,
@@ -23,7 +24,6 @@ from .plane_pose import (
     log_focal_of,
     pose_of,
 )
-from .values import Array
 
 #: As in `focal_prior`.
 USUAL = Known(USUAL_LOG_FOCAL, USUAL_SIGMA)

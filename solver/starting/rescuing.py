@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from .blaming import (
+from ..blaming import (
     CLOSER_LOOK_RMS,
     DOUBTFUL_RMS,
     MAX_COORDINATES,
@@ -16,18 +16,18 @@ from .blaming import (
     is_settled,
     reading_of,
 )
-from .blaming import lift_near as near_to
-from .diagnosis import Relaxed, beginnings, pose_near
+from ..blaming import lift_near as near_to
+from ..diagnosis import Relaxed, beginnings, pose_near
+from ..full import EXIF_LOG_SIGMA, FocalPrior, FullProblem
+from ..graph import SketchGraph
+from ..least_squares import Minimum, minimise
+from ..lifting import Lifted, is_unsure_of_focal, lift
+from ..problem import Problem, build_problem
+from ..structure import Structure, build_structure
+from ..values import Stop
+from ..world import camera_above_ground
 from .focal_prior import USUAL
-from .full import EXIF_LOG_SIGMA, FocalPrior, FullProblem
-from .graph import SketchGraph
 from .guessing import guesses
-from .least_squares import Minimum, minimise
-from .lifting import Lifted, is_unsure_of_focal, lift
-from .problem import Problem, build_problem
-from .structure import Structure, build_structure
-from .values import Stop
-from .world import camera_above_ground
 
 #: So many right angles that shared coordinates do not hold make a sketch that leaves much open.
 MANY_RIGHT_ANGLES = 4

@@ -12,13 +12,13 @@ import math
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
+from ..annotations import Diameter
+from ..errors import SketchError
+from ..graph import Ellipse, Point, Revolution, SketchGraph
+from ..ids import fresh_id, need
+from ..reading.parsing import check_references
 from .annotating import need_size, say_once, without_annotations
-from .annotations import Diameter
-from .editing import move_vertices, rounded
-from .errors import SketchError
-from .graph import Ellipse, Point, Revolution, SketchGraph
-from .ids import fresh_id, need
-from .parsing import check_references
+from .elements import move_vertices, rounded
 
 
 def ellipse_in_box(a: Point, b: Point) -> Ellipse:

@@ -13,10 +13,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .camera import Camera
-from .geometry import cross, rotation
-from .problem import TRACED_SIGMA_PX
-from .values import Array
+from ..camera import Camera
+from ..geometry import cross, rotation
+from ..problem import TRACED_SIGMA_PX
+from ..values import Array
 
 #: Directions this far from square to each other (cosine) are not.
 _SQUARE = 1e-6

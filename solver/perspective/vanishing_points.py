@@ -21,13 +21,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .camera import Camera
+from ..camera import Camera
+from ..geometry import cross
+from ..graph import SketchGraph
+from ..problem import TRACED_SIGMA_PX
+from ..solution import Solution
+from ..values import Array
 from .cropping import view_middle
-from .geometry import cross
-from .graph import SketchGraph
-from .problem import TRACED_SIGMA_PX
-from .solution import Solution
-from .values import Array
 
 #: Directions in space this near to each other (sine) are one.
 SAME_DIRECTION = 1e-6

@@ -10,11 +10,11 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from itertools import pairwise
 
+from ..annotations import Annotation, Ground, Parallel, RightAngle
+from ..graph import Ellipse, Face, Point, Revolution, SketchGraph
+from ..ids import fresh_id, need
+from ..reading.parsing import check_references
 from .annotating import annotate
-from .annotations import Annotation, Ground, Parallel, RightAngle
-from .graph import Ellipse, Face, Point, Revolution, SketchGraph
-from .ids import fresh_id, need
-from .parsing import check_references
 from .substitution import Substitution, substituted
 
 #: Positions are kept to a thousandth of a px: files stay short, nobody can see less.

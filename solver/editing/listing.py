@@ -17,14 +17,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .errors import SketchError
-from .faces import find_faces
-from .geometry import cross
-from .graph import Face, SketchGraph
-from .ids import fresh_id, need
-from .parsing import check_references
-from .solution import Solution, Status
-from .values import Array
+from ..errors import SketchError
+from ..faces import find_faces
+from ..geometry import cross
+from ..graph import Face, SketchGraph
+from ..ids import fresh_id, need
+from ..reading.parsing import check_references
+from ..solution import Solution, Status
+from ..values import Array
 
 #: A vertex within this part of the object's size of a plane or an outline lies in it.
 TOLERANCE = 1e-5

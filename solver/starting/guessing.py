@@ -19,15 +19,15 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from .annotations import Annotation, Parallel, RightAngle
+from ..annotations import Annotation, Parallel, RightAngle
+from ..geometry import cross
+from ..graph import SketchGraph
+from ..ids import fresh_id
+from ..initial import FOCAL_GUESSES, LOG_FOCAL_RANGE, USUAL_LOG_FOCAL, VIEWS
+from ..problem import Problem
+from ..structure import build_structure
+from ..values import Array, IntArray
 from .focal_prior import USUAL_SIGMA
-from .geometry import cross
-from .graph import SketchGraph
-from .ids import fresh_id
-from .initial import FOCAL_GUESSES, LOG_FOCAL_RANGE, USUAL_LOG_FOCAL, VIEWS
-from .problem import Problem
-from .structure import build_structure
-from .values import Array, IntArray
 
 #: Views that are looked at closely, and guesses that are told.
 MAX_VIEWS, MAX_GUESSES = 12, 4

@@ -16,15 +16,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
-from .annotating import need_size, on_ground, set_length
-from .dimensions import driving_sizes_mm, set_size, tied_edges
-from .editing import add_edge, toggle_construction
-from .errors import SketchError
-from .graph import SketchGraph
-from .ids import need
-from .revolution import without_profiles
-from .solution import Solution
-from .structure import Structure, build_structure
+from ..editing.annotating import need_size, on_ground, set_length
+from ..editing.elements import add_edge, toggle_construction
+from ..errors import SketchError
+from ..graph import SketchGraph
+from ..ids import need
+from ..revolution import without_profiles
+from ..solution import Solution
+from ..structure import Structure, build_structure
+from .lengths import driving_sizes_mm, set_size, tied_edges
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,7 +12,7 @@ import math
 from collections.abc import Callable, Iterable
 from typing import Any, TypeVar
 
-from .errors import SketchFormatError, SketchVersionError
+from ..errors import SketchFormatError, SketchVersionError
 
 #: Positions and lengths beyond this are no drawing.
 MAX_NUMBER = 1e6

@@ -9,11 +9,11 @@ from typing import Any
 
 import numpy as np
 
+from ..annotations import ANNOTATIONS, Annotation, RightAngle, targets_of
+from ..camera import Camera
+from ..errors import SketchError, SketchFormatError, SketchReferenceError
+from ..graph import FORMAT, VERSION, Ellipse, Face, Photo, Revolution, SketchGraph
 from . import json_reading as read
-from .annotations import ANNOTATIONS, Annotation, RightAngle, targets_of
-from .camera import Camera
-from .errors import SketchError, SketchFormatError, SketchReferenceError
-from .graph import FORMAT, VERSION, Ellipse, Face, Photo, Revolution, SketchGraph
 
 MAX_EDGES = 20_000
 #: What belongs to a sketch with so many edges.

@@ -11,8 +11,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, fields, replace
 
-from .annotations import Annotation, Length, RightAngle
-from .graph import Face, Revolution, SketchGraph
+from ..annotations import Annotation, Length, RightAngle
+from ..graph import Face, Revolution, SketchGraph
 
 Ids = Mapping[str, str | None]
 

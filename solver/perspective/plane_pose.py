@@ -19,10 +19,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .geometry import cross, rotation
-from .initial import LOG_FOCAL_RANGE
-from .least_squares import Evaluation, minimise
-from .values import Array
+from ..geometry import cross, rotation
+from ..initial import LOG_FOCAL_RANGE
+from ..least_squares import Evaluation, minimise
+from ..values import Array
 
 #: A logarithm of the focal length that steps further than this is held back.
 _LONGEST_STEP = 0.5

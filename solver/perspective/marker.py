@@ -19,14 +19,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .camera import Camera
-from .errors import SketchError
-from .full import EXIF_LOG_SIGMA
-from .graph import Photo, Point
+from ..camera import Camera
+from ..errors import SketchError
+from ..full import EXIF_LOG_SIGMA
+from ..graph import Photo, Point
+from ..problem import TRACED_SIGMA_PX
+from ..values import Array
 from .plane_pose import Known, homography
-from .problem import TRACED_SIGMA_PX
 from .rectangle_reading import CLEARLY, RectangleReading, on_ground
-from .values import Array
 
 #: Sizes that people have at hand, mm.
 RECTANGLES: dict[str, tuple[float, float]] = {

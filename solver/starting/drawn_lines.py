@@ -16,10 +16,10 @@ from functools import lru_cache
 
 import numpy as np
 
-from .problem import Problem
-from .structure import Structure
-from .topology import MAX_KEPT
-from .values import Array, IntArray
+from ..problem import Problem
+from ..structure import Structure
+from ..topology import MAX_KEPT
+from ..values import Array, IntArray
 
 #: From so many edges on all vertices that lie on one line tell its direction together: the edges
 #: are short then, and each by itself is drawn carelessly.

@@ -13,12 +13,12 @@ from types import MappingProxyType
 
 import numpy as np
 
-from .annotating import annotate, without_annotations
-from .annotations import RightAngle
-from .errors import SketchError
-from .graph import SketchGraph
-from .ids import need
-from .solution import Solution
+from ..annotations import RightAngle
+from ..editing.annotating import annotate, without_annotations
+from ..errors import SketchError
+from ..graph import SketchGraph
+from ..ids import need
+from ..solution import Solution
 
 Corner = tuple[str, str]
 RIGHT_DEG = 90.0

@@ -18,13 +18,13 @@ from types import MappingProxyType
 
 import numpy as np
 
-from .annotating import set_length
-from .annotations import Diameter, EqualLength, Length
-from .graph import SketchGraph
-from .rounds import set_diameter
-from .solution import Solution
-from .structure import Structure, build_structure
-from .union_find import UnionFind
+from ..annotations import Diameter, EqualLength, Length
+from ..editing.annotating import set_length
+from ..editing.rounds import set_diameter
+from ..graph import SketchGraph
+from ..solution import Solution
+from ..structure import Structure, build_structure
+from ..union_find import UnionFind
 
 
 def driving_sizes_mm(graph: SketchGraph) -> Mapping[str, float]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
-from .annotations import (
+from ..annotations import (
     Annotation,
     EqualLength,
     Ground,
@@ -14,10 +14,10 @@ from .annotations import (
     RightAngle,
     SymmetryPlane,
 )
-from .errors import SketchError
-from .graph import SketchGraph
-from .ids import fresh_id, need
-from .parsing import check_references
+from ..errors import SketchError
+from ..graph import SketchGraph
+from ..ids import fresh_id, need
+from ..reading.parsing import check_references
 
 
 def annotate(graph: SketchGraph, annotation: Annotation) -> tuple[SketchGraph, str]:

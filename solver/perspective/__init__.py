@@ -1,0 +1,1 @@
+"""What things of known shape in the photo say of the camera: rectangles, and traced lines."""

@@ -235,8 +235,8 @@ def _check(arguments: argparse.Namespace) -> int:
 def _fit(arguments: argparse.Namespace) -> int:
     from ..solver import solve
     from ..solver.solution import Status
-    from .checked import checks
     from .make_options import order_of
+    from .making import checks
 
     order = order_of(arguments, name_of(arguments.sketch))
     graph = _load(arguments.sketch)

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from PIL import Image
 
     from .fabrication.assembly import Step
+    from .fabrication.checking import Check
     from .fabrication.meshes import Mesh
     from .fabrication.rendering import Scene
     from .fabrication.sheets import Sheet
@@ -261,3 +262,39 @@ def _solid(
     x, y, z = np.ptp(mesh.vertices_mm, axis=0).tolist()
     note = bed_note((x, y, z), settings.bed_mm)
     return mesh, note
+
+
+def checks(graph: SketchGraph, solution: Solution, order: Order) -> tuple[Check, ...]:
+    """Check the plates, the print, or both.
+
+    Parameters
+    ----------
+    graph : SketchGraph
+    solution : Solution
+        Converged.
+    order : Order
+
+    Returns
+    -------
+    tuple of Check
+
+    Raises
+    ------
+    SketchError, FabricationError
+        Where nothing can be made.
+    """
+    from .fabrication.plates import joined_plates
+
+    thickness = order.plates.thickness_mm if order.plates else 3.0
+    model = build_model(solution, thickness, graph.made_revolutions)
+    found = []
+    if order.plates is not None:
+        joined = joined_plates(model, order.plates)
+        found.append(plates_check(joined, model, graph, solution))
+    if order.shell is not None:
+        from .fabrication.meshes import mesh_of
+        from .fabrication.shell import shell_solid
+
+        mesh = mesh_of(shell_solid(model, order.shell), order.shell.tolerance_mm)
+        found.append(print_check(mesh, model, graph, solution, order.shell.least_wall_mm))
+    return tuple(found)

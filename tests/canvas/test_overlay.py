@@ -10,7 +10,9 @@ from incontext.solver.annotations import Ground, Length, Parallel, RightAngle
 from incontext.solver.graph import Ellipse, Face, SketchGraph
 from incontext.workbench.canvas import overlay, previews, style
 from incontext.workbench.canvas.marks import marks_of
-from incontext.workbench.canvas.preview import Preview, Selection
+from incontext.workbench.canvas.preview import Preview
+from incontext.workbench.canvas.scene import Findings, Scene
+from incontext.workbench.canvas.selection import Selection
 from incontext.workbench.canvas.snapping import Snap, SnapKind
 
 SQUARE = {"v1": (40.0, 40.0), "v2": (160.0, 40.0), "v3": (160.0, 160.0), "v4": (40.0, 160.0)}
@@ -26,9 +28,9 @@ def painted(graph, findings=None, preview=None, selection=None, numbers=None):
     image = QtGui.QImage(200, 200, QtGui.QImage.Format_RGB32)
     image.fill(QtGui.QColor("#808080"))
     painter = QtGui.QPainter(image)
-    findings = findings or overlay.Findings()
+    findings = findings or Findings()
     places = dict(graph.vertices)
-    scene = overlay.Scene(graph, marks_of(graph), places, {}, findings, numbers=numbers or {})
+    scene = Scene(graph, marks_of(graph), places, {}, findings, numbers=numbers or {})
     work = previews.Work(preview or Preview(), selection or Selection(), lambda point: point)
     previews.paint_below(painter, scene, work)
     overlay.paint(painter, scene)
@@ -80,7 +82,7 @@ def test_selected_edges_have_a_halo(graph):
 
 def test_loose_vertices_are_orange_and_conflicts_red(graph):
     graph = replace(graph, annotations={"a1": RightAngle("v1", ("e1", "e4"))})
-    findings = overlay.Findings(frozenset(("v3",)), frozenset(("a1", "gone")))
+    findings = Findings(frozenset(("v3",)), frozenset(("a1", "gone")))
     image = painted(graph, findings)
     assert has(image, style.LOOSE, 160, 160)
     assert has(image, style.CONFLICT, 51, 51)

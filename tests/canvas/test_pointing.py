@@ -14,7 +14,7 @@ from incontext.workbench.canvas.hit_testing import corner_at, edge_at, inside_bo
 from incontext.workbench.canvas.lengths import exact_text, parse_length
 from incontext.workbench.canvas.loops import Quad, quad_around, quads
 from incontext.workbench.canvas.plane import foot, is_inside, line_crossing
-from incontext.workbench.canvas.preview import Selection
+from incontext.workbench.canvas.selection import Selection
 from incontext.workbench.canvas.snapping import Lead, Snap, SnapKind, always, place, snap
 from incontext.workbench.canvas.solved import Solved
 

@@ -4,8 +4,8 @@ import pytest
 
 from incontext.solver.graph import SketchGraph
 from incontext.tests.canvas.test_tools import SQUARE, Hand
-from incontext.workbench.canvas.preview import Selection
 from incontext.workbench.canvas.questions import About
+from incontext.workbench.canvas.selection import Selection
 from incontext.workbench.canvas.snapping import SnapKind
 
 

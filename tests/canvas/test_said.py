@@ -19,8 +19,8 @@ from incontext.solver.graph import Ellipse, Face, SketchGraph
 from incontext.tests.canvas.test_tools import Hand
 from incontext.workbench.canvas import said
 from incontext.workbench.canvas.marks import marks_of
-from incontext.workbench.canvas.preview import Selection
 from incontext.workbench.canvas.questions import About
+from incontext.workbench.canvas.selection import Selection
 
 SHELF = Path(__file__).parent.parent / "data" / "shelf.sketch.json"
 EVERYTHING = SketchGraph(

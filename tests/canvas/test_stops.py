@@ -8,7 +8,7 @@ from incontext.tests.canvas.test_said import EVERYTHING
 from incontext.tests.canvas.test_tools import SQUARE, Hand
 from incontext.workbench.canvas import stops
 from incontext.workbench.canvas.key_cursor import KeyCursor
-from incontext.workbench.canvas.preview import Selection
+from incontext.workbench.canvas.selection import Selection
 from incontext.workbench.canvas.tools import TOOLS
 
 #: Tools that draw need nothing below the cursor; those of faces need a solution.

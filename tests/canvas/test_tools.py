@@ -10,8 +10,8 @@ from incontext.solver.annotations import EqualLength, Ground, Length, Parallel, 
 from incontext.solver.graph import SketchGraph
 from incontext.solver.reading.parsing import check_references
 from incontext.workbench.canvas.drawing import Drawing, Listener
-from incontext.workbench.canvas.preview import Selection
 from incontext.workbench.canvas.questions import About, Question
+from incontext.workbench.canvas.selection import Selection
 from incontext.workbench.canvas.snapping import SnapKind
 from incontext.workbench.canvas.tools import KEYS, TOOLS
 from incontext.workbench.canvas.tools.base import Pointer

@@ -88,7 +88,7 @@ def person(window, hands, document, photo_path, monkeypatch):
     """A person before the tab of a new sketch over a photo."""
     from incontext.tests.freecad.hands import Person, pump
     from incontext.workbench.panels import asking
-    from incontext.workbench.panels.tabs import open_tabs
+    from incontext.workbench.panels.open_tabs import open_tabs
 
     monkeypatch.setattr(asking, "ask_for_file", lambda title, kinds: photo_path)
     person = Person(hands)

@@ -8,7 +8,7 @@ from PySide import QtCore
 
 from incontext.solver.serialise import sketch_from_text
 from incontext.tests.freecad.hands import pump, wait_until
-from incontext.workbench.canvas.preview import Selection
+from incontext.workbench.canvas.selection import Selection
 
 SIZE, OFF = 1, 2
 

@@ -105,7 +105,7 @@ def test_photo_that_is_none_is_told(document, shelf_path, monkeypatch):
 
 
 def test_example_opens_side_by_side():
-    from incontext.workbench.panels.tabs import open_tabs
+    from incontext.workbench.panels.open_tabs import open_tabs
 
     FreeCADGui.runCommand("InContext_OpenExample")
     pump(0.5)
@@ -128,7 +128,7 @@ def test_every_example_has_its_place_in_the_menu():
 
 
 def test_printed_example_opens_from_the_menu():
-    from incontext.workbench.panels.tabs import open_tabs
+    from incontext.workbench.panels.open_tabs import open_tabs
 
     FreeCADGui.runCommand("InContext_ExampleTeapotLid")
     pump(0.5)

@@ -49,7 +49,7 @@ class Keys:
 def keys(window, hands, document, photo_path, monkeypatch):
     """A new sketch over a photo, by the menu."""
     from incontext.workbench.panels import asking
-    from incontext.workbench.panels.tabs import open_tabs
+    from incontext.workbench.panels.open_tabs import open_tabs
 
     monkeypatch.setattr(asking, "ask_for_file", lambda title, kinds: photo_path)
     # The mouse lies in a corner and stays there.

@@ -15,7 +15,7 @@ from incontext.tests.rectangles import SMALL, camera_at, corners_mm, seen
 from incontext.workbench.features import pipeline
 from incontext.workbench.lens import Lens
 from incontext.workbench.panels import messages
-from incontext.workbench.panels.tabs import open_tabs
+from incontext.workbench.panels.open_tabs import open_tabs
 
 BEND, PAPER = 0.05, (300.0, 280.0)
 CAMERA = camera_at(50, -75, 560, 900, photo=SMALL)

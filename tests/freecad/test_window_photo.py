@@ -77,7 +77,7 @@ def test_dropped_file_that_is_no_photo_is_told(controller, monkeypatch, tmp_path
 
 
 def test_new_sketch_from_the_clipboard(hands, document):
-    from incontext.workbench.panels.tabs import open_tabs
+    from incontext.workbench.panels.open_tabs import open_tabs
 
     pasted("cyan", 640, 480)
     FreeCADGui.activateWorkbench("InContextWorkbench")

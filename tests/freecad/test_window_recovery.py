@@ -63,7 +63,7 @@ def has_sketch(copy, text):
 
 
 def test_copy_follows_each_step_undo_and_the_model(copy, shelf, document):
-    from incontext.workbench.panels.tabs import open_tabs
+    from incontext.workbench.panels.open_tabs import open_tabs
 
     controller, text = open_tabs()[0], shelf[0].Sketch
     controller.tab.view._drawing.select_all()

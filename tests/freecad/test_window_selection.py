@@ -6,7 +6,7 @@ import FreeCADGui
 import pytest
 
 from incontext.tests.freecad.hands import pump
-from incontext.workbench.canvas.preview import Selection
+from incontext.workbench.canvas.selection import Selection
 from incontext.workbench.features import pipeline
 from incontext.workbench.features.plate_set import plates_of
 

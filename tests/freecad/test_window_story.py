@@ -9,7 +9,7 @@ from incontext.solver.camera import Camera
 from incontext.solver.editing.annotating import set_length
 from incontext.solver.editing.elements import add_edge, add_vertex
 from incontext.tests.freecad.hands import wait_until
-from incontext.workbench.canvas.overlay import Findings
+from incontext.workbench.canvas.scene import Findings
 from incontext.workbench.features import pipeline
 
 #: A box of 200 x 130 x 160 mm: four corners on the ground, counted around, and those above them.
@@ -171,7 +171,7 @@ def test_what_is_typed_stays_in_the_field_for_a_length(person, document):
 def test_empty_sketch_says_what_to_do_and_each_tool_what_comes_next(person):
     from PySide import QtGui
 
-    from incontext.workbench.panels.tabs import open_tabs
+    from incontext.workbench.panels.open_tabs import open_tabs
 
     tab = open_tabs()[0].tab
     assert "press L" in person.view.invitation

@@ -40,7 +40,7 @@ def on_screen(view, vertex):
 
 
 def test_photo_left_and_3d_right_share_the_area(controller, window):
-    from incontext.workbench.panels.tabs import mdi_area, subwindow_of
+    from incontext.workbench.panels.open_tabs import mdi_area, subwindow_of
 
     left = subwindow_of(controller.tab)
     (right,) = (w for title, w in subwindows().items() if title.startswith("Test"))
@@ -111,7 +111,8 @@ def test_bar_says_how_the_solve_went(controller, shelf, document):
 
 def test_tab_is_opened_once_and_closes_with_its_document(window, shelf_path):
     from incontext.workbench.commands.import_sketch import imported
-    from incontext.workbench.panels.tabs import open_tabs, show_tab
+    from incontext.workbench.panels.open_tabs import open_tabs
+    from incontext.workbench.panels.tabs import show_tab
 
     document = FreeCAD.newDocument("Other")
     sketch = imported(document, shelf_path)
@@ -127,7 +128,8 @@ def test_tab_is_opened_once_and_closes_with_its_document(window, shelf_path):
 
 
 def test_closed_tab_can_be_opened_again(controller, shelf):
-    from incontext.workbench.panels.tabs import open_tabs, show_tab, subwindow_of
+    from incontext.workbench.panels.open_tabs import open_tabs, subwindow_of
+    from incontext.workbench.panels.tabs import show_tab
 
     subwindow_of(controller.tab).close()
     pump()
@@ -138,7 +140,7 @@ def test_closed_tab_can_be_opened_again(controller, shelf):
 
 
 def test_double_click_in_the_tree_opens_the_tab(window, shelf):
-    from incontext.workbench.panels.tabs import open_tabs
+    from incontext.workbench.panels.open_tabs import open_tabs
 
     assert shelf[0].ViewObject.Proxy.doubleClicked(shelf[0].ViewObject)
     pump()

@@ -21,8 +21,9 @@ from ...solver.graph import Face, Point, SketchGraph
 from .attraction import Attraction
 from .ground_grid import GroundGrid
 from .marks import Marks, marks_of
-from .preview import Preview, Selection
+from .preview import Preview
 from .questions import About, KnownRectangle, Question
+from .selection import Selection
 from .snapping import Snap
 from .solved import Solved, face_choices
 from .tools import TOOLS

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from ...solver.graph import SketchGraph
-    from .overlay import Scene
+    from .scene import Scene
     from .symbols import Point, Stroke
 
 _Qt = QtCore.Qt

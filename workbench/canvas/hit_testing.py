@@ -16,7 +16,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from .plane import direction, foot
-from .preview import Selection
+from .selection import Selection
 from .symbols import ellipse
 
 if TYPE_CHECKING:

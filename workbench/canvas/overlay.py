@@ -3,98 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING
 
 from ...solver.annotations import targets_of
 from . import style, symbols
-from .marks import Marks
 from .plane import middle
 from .plaques import paint_numbers, paint_plaques
 from .qt import QtCore, QtGui
-from .said import Places, arrows_on, ticks_on
+from .said import arrows_on, ticks_on
 from .symmetry import outline_of
 
 if TYPE_CHECKING:
-    from ...solver.graph import SketchGraph
+    from .scene import Scene
     from .symbols import Point, Stroke
 
 _Qt = QtCore.Qt
-
-
-@dataclass(frozen=True, slots=True)
-class Findings:
-    """What the solver found: vertices that nothing holds yet, annotations that disagree."""
-
-    loose: frozenset[str] = frozenset()
-    conflicts: frozenset[str] = frozenset()
-
-
-@dataclass(frozen=True, slots=True)
-class Part:
-    """One of the two parts of a sketch in the hand: what moves, with all that hangs on it, or not.
-
-    Parameters
-    ----------
-    moved : frozenset of vertices and circles
-    moves : bool
-        Which part it is.
-    """
-
-    moved: frozenset[str]
-    moves: bool
-
-    def has(self, ids: Iterable[str]) -> bool:
-        """Whether what lies between some vertices or circles belongs to it."""
-        return self.moved.isdisjoint(ids) != self.moves
-
-
-@dataclass(frozen=True, slots=True)
-class Scene:
-    """What is painted.
-
-    Parameters
-    ----------
-    graph : SketchGraph
-    marks : Marks
-    screen : mapping of vertex to screen position
-    circles : mapping of circle to its outline on the screen
-    findings : Findings
-    rings : tuple of lines
-        Of surfaces of revolution, see `turning.rings_of`.
-    numbers : mapping of vertex to number
-        How many parameters each has, where that is shown ([Lau10] Figure 5).
-    part : Part or None
-        What of it is painted; all where there is none.
-    """
-
-    graph: SketchGraph
-    marks: Marks
-    screen: dict[str, Point]
-    circles: dict[str, Stroke] = field(default_factory=dict)
-    findings: Findings = Findings()
-    rings: tuple[Stroke, ...] = ()
-    numbers: Mapping[str, int] = field(default_factory=dict)
-    part: Part | None = None
-
-    def ends(self, edge: str) -> tuple[Point, Point]:
-        """Screen positions of an edge's two ends."""
-        v, w = self.graph.edges[edge]
-        return self.screen[v], self.screen[w]
-
-    def shows(self, *ids: str) -> bool:
-        """Whether what lies between some vertices or circles is painted."""
-        return self.part is None or self.part.has(ids)
-
-    def shows_edge(self, edge: str) -> bool:
-        """Whether an edge is painted, and what lies on it."""
-        return self.part is None or self.part.has(self.graph.edges[edge])
-
-    @property
-    def places(self) -> Places:
-        """Where the symbols of annotations lie."""
-        return Places(self.graph, self.marks, self.screen, self.circles)
 
 
 def paint(painter: QtGui.QPainter, scene: Scene, lines: Callable[[], None] | None = None) -> None:

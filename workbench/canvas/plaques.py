@@ -9,7 +9,7 @@ from .plane import middle
 from .qt import QtCore, QtGui
 
 if TYPE_CHECKING:
-    from .overlay import Scene
+    from .scene import Scene
     from .symbols import Point
 
 _Qt = QtCore.Qt

@@ -7,14 +7,16 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from . import style, symbols
-from .overlay import Scene, fine, polygon, stroke
+from .overlay import fine, polygon, stroke
 from .plane import middle
 from .qt import QtCore, QtGui
 from .said import symbol_of
+from .scene import Scene
 from .snapping import Snap, SnapKind
 
 if TYPE_CHECKING:
-    from .preview import Preview, Selection
+    from .preview import Preview
+    from .selection import Selection
     from .symbols import Point
 
 _Qt = QtCore.Qt

@@ -8,13 +8,14 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from .overlay import Part, paint_lines
+from .overlay import paint_lines
 from .qt import QtCore, QtGui
+from .scene import Part
 
 if TYPE_CHECKING:
     from ...solver.graph import SketchGraph
-    from .overlay import Scene
     from .plane import Point
+    from .scene import Scene
 
 _Qt = QtCore.Qt
 

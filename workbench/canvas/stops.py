@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from .loops import quads
 from .plane import Point, direction, middle
-from .preview import Selection
+from .selection import Selection
 from .solved import outline
 
 if TYPE_CHECKING:

@@ -18,9 +18,10 @@ from .lifted import LiftedView
 from .marks import length_text
 from .numbers import Numbers
 from .photo_view import ZOOM_STEP, PhotoView
-from .preview import Selection
 from .qt import QtCore, QtGui, position_of
 from .questions import Question
+from .scene import Findings, Scene
+from .selection import Selection
 from .still_layer import StillLayer
 from .stops import place_of
 from .tools import KEYS
@@ -86,7 +87,7 @@ class SketchView(PhotoView):
         self.in_words: Callable[[str], str] = str
         #: How many parameters each vertex has.
         self.numbers = Numbers()
-        self._findings = overlay.Findings()
+        self._findings = Findings()
         self._hint = ""
         self._lifted = LiftedView()
         self._ghosts = Ghosts()
@@ -118,7 +119,7 @@ class SketchView(PhotoView):
 
     def set_findings(self, loose: tuple[str, ...], conflicts: tuple[str, ...]) -> None:
         """Show which vertices are not held yet, and which annotations disagree."""
-        self._findings = overlay.Findings(frozenset(loose), frozenset(conflicts))
+        self._findings = Findings(frozenset(loose), frozenset(conflicts))
         self.viewport().update()
 
     def set_lifted(self, lifted: LiftedView) -> None:
@@ -180,7 +181,7 @@ class SketchView(PhotoView):
         self._drawing.select(selection)
 
     @property
-    def findings(self) -> overlay.Findings:
+    def findings(self) -> Findings:
         """Which vertices are not held yet, and which annotations disagree."""
         return self._findings
 
@@ -260,7 +261,7 @@ class SketchView(PhotoView):
         paint_lift(painter, self._lifted, on_screen)
         rings = tuple(tuple(map(on_screen, line)) for line in turning.rings_of(graph))
         numbers, findings = self.numbers.of(graph), self._findings
-        scene = overlay.Scene(graph, self._drawing.marks, screen, circles, findings, rings, numbers)
+        scene = Scene(graph, self._drawing.marks, screen, circles, findings, rings, numbers)
         work = previews.Work(
             self._drawing.preview, self._drawing.selection, on_screen, self.in_words
         )
@@ -275,9 +276,7 @@ class SketchView(PhotoView):
             previews.paint_invitation(painter, self.viewport().rect(), self.invitation)
         painter.restore()
 
-    def _still_lines(
-        self, painter: QtGui.QPainter, scene: overlay.Scene
-    ) -> Callable[[], None] | None:
+    def _still_lines(self, painter: QtGui.QPainter, scene: Scene) -> Callable[[], None] | None:
         """In the middle of a drag: paint what stays where it is as a picture of before."""
         if not self.is_in_hand:
             return None

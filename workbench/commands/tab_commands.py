@@ -30,13 +30,13 @@ class TabCommand(Command):
         if not objects_of(is_photo_sketch):
             # FreeCAD asks while it starts, which must not wait for the solver.
             return False
-        from ..panels.tabs import active_tab
+        from ..panels.open_tabs import active_tab
 
         return active_tab() is not None
 
     def run(self) -> None:
         """See the class."""
-        from ..panels.tabs import active_tab
+        from ..panels.open_tabs import active_tab
 
         controller = active_tab()
         if controller is not None:

@@ -34,7 +34,8 @@ class ToolCommand(Command):
 
     def run(self) -> None:
         """See the class."""
-        from ..panels.tabs import active_tab, show_tab
+        from ..panels.open_tabs import active_tab
+        from ..panels.tabs import show_tab
         from ..panels.tool_buttons import show_active_tool
 
         try:

@@ -25,6 +25,12 @@ class ViewThroughPhoto(Command):
 
     def run(self) -> None:
         """See the class."""
-        from ..panels.view_through import toggle_view_through
+        from ..panels.tabs import show_tab
+        from ..panels.view_through import look_as_before, look_through, looks_through
 
-        toggle_view_through(chosen(is_photo_sketch, "a photo sketch"))
+        sketch = chosen(is_photo_sketch, "a photo sketch")
+        if looks_through(sketch):
+            look_as_before(sketch)
+            return
+        show_tab(sketch)
+        look_through(sketch)

@@ -6,7 +6,7 @@ import FreeCADGui
 
 from .. import host
 from ..canvas.qt import QtCore, QtGui
-from . import tabs
+from . import open_tabs
 from .annotation_panel import AnnotationPanel
 from .controller import SketchController
 
@@ -37,7 +37,7 @@ def the_panel() -> AnnotationPanel:
         window = FreeCADGui.getMainWindow()
         window.addDockWidget(QtCore.Qt.LeftDockWidgetArea, dock)
         _give_room(window, dock)
-        tabs.mdi_area().subWindowActivated.connect(turn_to_front)
+        open_tabs.mdi_area().subWindowActivated.connect(turn_to_front)
     return _shown[0]
 
 
@@ -56,11 +56,11 @@ def _dock() -> QtGui.QDockWidget:
 
 def turn_to_front(*_: object) -> None:
     """Another tab is at the front: show its annotations; hide where none is left."""
-    panel, front = the_panel(), tabs.active_tab()
+    panel, front = the_panel(), open_tabs.active_tab()
     if front is not None:
         panel.show_sketch(front)
         _dock().show()
-    elif panel.controller not in tabs.open_tabs():
+    elif panel.controller not in open_tabs.open_tabs():
         panel.show_sketch(None)
         _dock().hide()
 

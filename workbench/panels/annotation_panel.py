@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 from .. import host
 from ..canvas.lengths import parse_length
-from ..canvas.preview import Selection
 from ..canvas.qt import QtCore, QtGui
+from ..canvas.selection import Selection
 from . import annotation_texts as texts
 from . import traced_texts
 

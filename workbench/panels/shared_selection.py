@@ -15,10 +15,10 @@ import FreeCAD
 import FreeCADGui
 
 from ..canvas.lifted import ring_mm
-from ..canvas.preview import Selection
+from ..canvas.selection import Selection
 from ..features.lifted_model import is_lifted_model
 from ..features.plate_set import is_plate_set, plates_of
-from . import tabs
+from . import open_tabs
 from .shape_preview import set_values, view_3d_of
 
 if TYPE_CHECKING:
@@ -133,7 +133,7 @@ class _Observer:
         if obj is None or not element or not (is_lifted_model(obj) or is_plate_set(obj)):
             return
         model = obj.LiftedModel if is_plate_set(obj) else obj
-        for controller in tabs.open_tabs():
+        for controller in open_tabs.open_tabs():
             if model is not None and controller.obj is model.PhotoSketch and controller.lift:
                 solution, view = controller.lift[1], controller.tab.view
                 if obj is model:
@@ -144,7 +144,7 @@ class _Observer:
 
     def clearSelection(self, document: str) -> None:  # noqa: N802
         """Nothing is selected any more, in a document, or where none is named in any."""
-        for controller in tabs.open_tabs():
+        for controller in open_tabs.open_tabs():
             if document in ("", controller.document_name) and controller.tab.view.selection:
                 controller.tab.view.select(Selection())
 

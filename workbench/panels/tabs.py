@@ -1,4 +1,4 @@
-"""The open tabs of photo sketches, at most one for each, and their life with the document."""
+"""Tabs of photo sketches open and close, at most one for each, as their documents live."""
 
 from __future__ import annotations
 
@@ -9,11 +9,9 @@ import FreeCADGui
 
 from ..canvas.qt import QtCore, QtGui
 from ..features.photo_sketch import is_photo_sketch
-from . import recovery
+from . import annotation_dock, open_tabs, recovery, shared_selection, view_through
 from .controller import SketchController
-
-_Key = tuple[str, str]
-_open: dict[_Key, SketchController] = {}
+from .tool_buttons import show_active_tool
 
 
 def show_tab(obj: Any) -> SketchController:
@@ -24,50 +22,19 @@ def show_tab(obj: Any) -> SketchController:
     SketchError
         Where the object's text is no sketch.
     """
-    from .tool_buttons import show_active_tool
-
-    key = _key(obj)
-    controller = _open.get(key)
+    key = open_tabs.key_of(obj)
+    controller = open_tabs.tab_of(key)
     if controller is None:
-        controller = _open[key] = SketchController(obj)
+        controller = SketchController(obj)
+        open_tabs.add(key, controller)
         _add_to_window(controller)
         _OBSERVER.start()
-    subwindow = subwindow_of(controller.tab)
+    subwindow = open_tabs.subwindow_of(controller.tab)
     if subwindow is not None:
-        mdi_area().setActiveSubWindow(subwindow)
+        open_tabs.mdi_area().setActiveSubWindow(subwindow)
     controller.tab.view.setFocus()
     show_active_tool()
     return controller
-
-
-def open_tabs() -> tuple[SketchController, ...]:
-    """All open tabs."""
-    return tuple(_open.values())
-
-
-def active_tab() -> SketchController | None:
-    """The tab at the front, if it is one of ours."""
-    front = mdi_area().activeSubWindow()
-    for controller in open_tabs():
-        if front is not None and subwindow_of(controller.tab) is front:
-            return controller
-    return None
-
-
-def mdi_area() -> QtGui.QMdiArea:
-    """The part of FreeCAD's window that holds the tabs."""
-    return FreeCADGui.getMainWindow().findChild(QtGui.QMdiArea)
-
-
-def subwindow_of(widget: QtGui.QWidget) -> QtGui.QMdiSubWindow | None:
-    """The tab's window that a widget lies in."""
-    while widget is not None and not isinstance(widget, QtGui.QMdiSubWindow):
-        widget = widget.parentWidget()
-    return widget
-
-
-def _key(obj: Any) -> _Key:
-    return (obj.Document.Name, obj.Name)
 
 
 def _add_to_window(controller: SketchController) -> None:
@@ -78,37 +45,28 @@ def _add_to_window(controller: SketchController) -> None:
         controller.tab.parentWidget().setFocusProxy(controller.tab.view)
     else:
         # FreeCAD 0.20 has no views written in Python, only Qt's own subwindows.
-        subwindow = mdi_area().addSubWindow(controller.tab)
+        subwindow = open_tabs.mdi_area().addSubWindow(controller.tab)
         subwindow.setWindowIcon(controller.tab.windowIcon())
         subwindow.show()
-    key = _key(controller.obj)
+    key = open_tabs.key_of(controller.obj)
     controller.tab.destroyed.connect(lambda *_: _forget(key, controller))
     _keep_buttons_right(controller)
-    _list_annotations(controller)
+    annotation_dock.follow(controller)
     _share_selection(controller)
 
 
 def _keep_buttons_right(controller: SketchController) -> None:
     """Have the toolbar show the tool at work, whichever tab is at the front."""
-    from .tool_buttons import show_active_tool
-
     controller.tab.view.tool_changed.connect(show_active_tool)
     controller.tab.view.helpers_changed.connect(show_active_tool)
     if not _OBSERVER.started:
-        mdi_area().subWindowActivated.connect(show_active_tool)
-
-
-def _list_annotations(controller: SketchController) -> None:
-    from .annotation_dock import follow
-
-    follow(controller)
+        open_tabs.mdi_area().subWindowActivated.connect(show_active_tool)
 
 
 def _share_selection(controller: SketchController) -> None:
-    from .shared_selection import SelectionOverlay, start_listening
-
-    start_listening()
-    overlay, view = SelectionOverlay(controller.document_name), controller.tab.view
+    shared_selection.start_listening()
+    overlay = shared_selection.SelectionOverlay(controller.document_name)
+    view = controller.tab.view
 
     def show(*_: object) -> None:
         solution = None if controller.lift is None else controller.lift[1]
@@ -120,16 +78,14 @@ def _share_selection(controller: SketchController) -> None:
 
 def _leave(controller: SketchController) -> None:
     """Leave nothing of a tab that is gone."""
-    from .annotation_dock import turn_to_front
-
     controller.close()
-    turn_to_front()
+    annotation_dock.turn_to_front()
 
 
-def _forget(key: _Key, controller: SketchController) -> None:
+def _forget(key: open_tabs.Key, controller: SketchController) -> None:
     """A tab is gone; a new document of the same name may have a tab of its own by now."""
-    if _open.get(key) is controller:
-        del _open[key]
+    if open_tabs.tab_of(key) is controller:
+        open_tabs.remove(key)
     _leave(controller)
 
 
@@ -183,10 +139,10 @@ class _Observer:
 
     def slotChangedObject(self, obj: Any, name: str) -> None:  # noqa: N802
         """A property changed, by a person, a script, undo or redo."""
-        controller = _open.get(_key(obj)) if is_photo_sketch(obj) else None
+        controller = open_tabs.tab_of(open_tabs.key_of(obj)) if is_photo_sketch(obj) else None
         if controller is not None:
             controller.on_changed(name)
-        if any(key[0] == obj.Document.Name for key in _open):
+        if open_tabs.keys_in(obj.Document.Name):
             recovery.note_change(obj.Document)
 
     def slotRecomputedDocument(self, document: Any) -> None:  # noqa: N802
@@ -204,13 +160,11 @@ class _Observer:
     def slotDeletedObject(self, obj: Any) -> None:  # noqa: N802
         """An object goes, and its tab with it."""
         if is_photo_sketch(obj):
-            _close(_key(obj))
+            _close(open_tabs.key_of(obj))
 
     def slotDeletedDocument(self, document: Any) -> None:  # noqa: N802
         """A document goes; on FreeCAD 0.20 our tabs would outlive it."""
-        from . import view_through
-
-        for key in [key for key in _open if key[0] == document.Name]:
+        for key in open_tabs.keys_in(document.Name):
             _close(key)
         view_through.forget(document.Name)
 
@@ -219,15 +173,15 @@ _OBSERVER = _Observer()
 
 
 def _show_outcomes(document: Any) -> None:
-    for controller in open_tabs():
+    for controller in open_tabs.open_tabs():
         if controller.document_name == document.Name:
             controller.show_outcome()
 
 
-def _close(key: _Key) -> None:
-    controller = _open.pop(key, None)
+def _close(key: open_tabs.Key) -> None:
+    controller = open_tabs.remove(key)
     if controller is not None:
         _leave(controller)
-        subwindow = subwindow_of(controller.tab)
+        subwindow = open_tabs.subwindow_of(controller.tab)
         # Not at once: FreeCAD is in the middle of taking the document apart.
         QtCore.QTimer.singleShot(0, subwindow.close if subwindow else controller.tab.close)

@@ -8,7 +8,7 @@ import FreeCADGui
 
 from ..canvas.qt import QtCore, QtGui
 from .controller import SketchController
-from .tabs import mdi_area, subwindow_of
+from .open_tabs import mdi_area, subwindow_of
 
 _Pair = tuple[QtGui.QMdiSubWindow, QtGui.QMdiSubWindow]
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import FreeCADGui
 
 from ..canvas.tools import TOOLS
-from . import tabs
+from . import open_tabs
 
 if TYPE_CHECKING:
     from ..canvas.view import SketchView
@@ -28,7 +28,7 @@ def command_name(tool: str) -> str:
 
 def show_active_tool(*_: object) -> None:
     """Press the button of the tool at work, and let the others up."""
-    controller = tabs.active_tab()
+    controller = open_tabs.active_tab()
     at_work = None if controller is None else controller.tab.view.tool_name
     for tool in TOOLS:
         _show(command_name(tool), is_down=tool == at_work)

@@ -12,7 +12,6 @@ from ..features import pipeline
 from .messages import tell
 from .photo_plane import depth_behind_mm
 from .shape_preview import view_3d_of
-from .tabs import show_tab
 
 if TYPE_CHECKING:
     from ...solver.camera import Camera
@@ -39,37 +38,46 @@ class _Before:
 _before: dict[tuple[str, str], _Before] = {}
 
 
-def toggle_view_through(obj: Any) -> None:
-    """Look through the photo of a sketch, or as before."""
-    key = (obj.Document.Name, obj.Name)
+def looks_through(obj: Any) -> bool:
+    """Whether the 3D view looks through the photo of a sketch."""
+    return _key(obj) in _before
+
+
+def look_through(obj: Any) -> None:
+    """Look through the photo of a sketch, whose tab is open: it puts the photo there."""
     view = view_3d_of(obj.Document.Name)
     if view is None:
-        return
-    if key in _before:
-        _leave(obj, view, _before.pop(key))
         return
     graph, solution = pipeline.graph_of(obj.Sketch), pipeline.solution_of(obj.Sketch)
     if solution.camera is None or not (solution.vertices_mm or solution.circles):
         tell(solution.message)
         return
-    _before[key] = _Before(view.getCameraType(), _fields(view), bool(obj.ViewObject.Visibility))
-    # The tab knows the photo, and puts it there.
-    show_tab(obj)
+    shown = bool(obj.ViewObject.Visibility)
+    _before[_key(obj)] = _Before(view.getCameraType(), _fields(view), shown)
     obj.ViewObject.Visibility = True
     _look(view, solution.camera, _sides(graph), depth_behind_mm(solution))
+
+
+def look_as_before(obj: Any) -> None:
+    """Bring back the view that was there before `look_through`."""
+    view = view_3d_of(obj.Document.Name)
+    if view is None:
+        return
+    before = _before.pop(_key(obj))
+    view.setCameraType(before.camera_type)
+    for name, text in before.camera.items():
+        view.getCameraNode().getField(name).set(text)
+    obj.ViewObject.Visibility = before.photo_shown
+
+
+def _key(obj: Any) -> tuple[str, str]:
+    return (obj.Document.Name, obj.Name)
 
 
 def _fields(view: Any) -> dict[str, str]:
     """A view's camera."""
     fields = {name: view.getCameraNode().getField(name) for name in _FIELDS}
     return {name: field.get().getString() for name, field in fields.items() if field is not None}
-
-
-def _leave(obj: Any, view: Any, before: _Before) -> None:
-    view.setCameraType(before.camera_type)
-    for name, text in before.camera.items():
-        view.getCameraNode().getField(name).set(text)
-    obj.ViewObject.Visibility = before.photo_shown
 
 
 def forget(document_name: str) -> None:

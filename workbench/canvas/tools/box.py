@@ -9,7 +9,8 @@ from ....solver.annotations import Parallel, RightAngle
 from ....solver.editing.annotating import annotate, on_ground, toggle_ground
 from ....solver.editing.elements import add_edge
 from ..plane import Point, line_crossing
-from ..preview import Preview, Selection
+from ..preview import Preview
+from ..selection import Selection
 from ..snapping import Snap, SnapKind, place
 from .base import Pointer, Tool
 

@@ -9,7 +9,8 @@ from .. import stops
 from ..hit_testing import edge_at, inside_box, vertex_at
 from ..loops import quad_around
 from ..plane import Point
-from ..preview import Preview, Selection
+from ..preview import Preview
+from ..selection import Selection
 from .base import Pointer, Tool
 
 if TYPE_CHECKING:

@@ -8,7 +8,8 @@ from ....solver.annotations import EqualLength, Parallel
 from ....solver.editing.annotating import set_group
 from .. import stops
 from ..hit_testing import edge_at
-from ..preview import Preview, Selection
+from ..preview import Preview
+from ..selection import Selection
 from .base import Pointer, Tool
 
 if TYPE_CHECKING:

@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING
 
 from .. import stops
 from ..hit_testing import circle_at, edge_at
-from ..preview import Preview, Selection
+from ..preview import Preview
 from ..questions import about_circle, about_edge
+from ..selection import Selection
 from .base import Pointer, Tool
 
 if TYPE_CHECKING:

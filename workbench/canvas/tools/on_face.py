@@ -10,7 +10,8 @@ from ....solver.editing.elements import delete
 from ....solver.editing.listing import with_list
 from .. import stops
 from ..hit_testing import vertex_at
-from ..preview import Preview, Selection
+from ..preview import Preview
+from ..selection import Selection
 from ..solved import face_at, outline, why_no_faces
 from .base import Pointer, Tool
 

@@ -10,7 +10,8 @@ from ....solver.editing.elements import add_edge
 from ....solver.editing.rounds import add_circle, set_revolution
 from ..hit_testing import circle_at
 from ..plane import Point
-from ..preview import Preview, Selection
+from ..preview import Preview
+from ..selection import Selection
 from ..snapping import Snap, SnapKind, place, snap
 from ..symbols import ellipse
 from ..turning import axis_line, ring_through

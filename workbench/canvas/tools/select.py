@@ -10,9 +10,10 @@ from ....solver.editing.elements import merge_vertices
 from .. import style
 from ..hit_testing import AxisEnd, axis_end_at, circle_at, edge_at, inside_box, vertex_at
 from ..plane import Point, on_line
-from ..preview import Preview, Selection
+from ..preview import Preview
 from ..questions import about_annotation
 from ..said import annotation_at, on_photo, seen_at_vertex
+from ..selection import Selection
 from ..snapping import Snap, SnapKind
 from .base import TREMBLE, Pointer, Tool
 

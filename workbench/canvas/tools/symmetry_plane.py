@@ -8,7 +8,8 @@ from ....solver.annotations import SymmetryPlane
 from ....solver.editing.annotating import annotate
 from ....solver.editing.elements import delete
 from .. import stops
-from ..preview import Preview, Selection
+from ..preview import Preview
+from ..selection import Selection
 from ..symmetry import halved_with, midpoint_at, midpoint_px, outline_of
 from .base import Pointer, Tool
 

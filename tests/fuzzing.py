@@ -90,6 +90,7 @@ def good_sketch(rng: random.Random) -> str:
 def bent_sketch(rng: random.Random) -> str:
     """A good sketch, still valid by its form, with elements moved, added, taken away or mixed."""
     body = json.loads(good_sketch(rng))
+    body.setdefault("annotations", {})
     for _ in range(rng.randint(1, 4)):
         rng.choice(BENDS)(rng, body)
     return json.dumps(body)

@@ -220,15 +220,32 @@ def test_nothing_to_lift_is_said(name):
         assert METHODS[name](graph).status is Status.UNDERDETERMINED
 
 
-def test_lau2010_can_be_stopped():
+@pytest.mark.parametrize("name", METHODS)
+@pytest.mark.parametrize("after", [1, 3, 20])
+def test_a_running_search_stops_at_once(name, after):
     asked = []
-    photo = cube_photo()
-    whole = METHODS["lau2010"](photo.graph, limits=HASTY)
-    solution = METHODS["lau2010"](
-        photo.graph, limits=HASTY, stop=lambda: bool(asked.append(0)) or True
-    )
-    assert asked
-    assert solution.report.iterations < whole.report.iterations
+
+    def stop() -> bool:
+        asked.append(0)
+        return len(asked) >= after
+
+    graph = cube_photo().graph
+    solution = METHODS[name](graph, limits=Limits(evaluations_per_dimension=40), stop=stop)
+    # What begins after that asks once and ends.
+    assert len(asked) < after + 12
+    assert solution.report.iterations <= 8 * after
+    assert len(solution.vertices_mm) == 8
+    assert all(np.isfinite(x).all() for x in solution.vertices_mm.values())
+
+
+def test_a_running_search_tells_how_far_it_is():
+    told = []
+    limits = Limits(evaluations_per_dimension=10)
+    tell = lambda done, what: told.append(done)  # noqa: E731
+    METHODS["lipson1996"](cube_photo().graph, limits=limits, progress=tell)
+    assert len(set(told)) > 10
+    assert told == sorted(told)
+    assert 0.5 < max(told) <= 1
 
 
 # --- the command line -------------------------------------------------------------------------

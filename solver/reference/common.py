@@ -6,18 +6,20 @@ Lengths are in drawing units (see `drawing`).
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy import optimize
 
-from ..values import Array
+from ..values import Array, Progress, Stop
 from .drawing import Drawing
 
 #: Stands for the energy of what is no photograph: a vertex behind the eye, or one that is further
 #: away than `FAR` drawing units.
 IMPOSSIBLE = 1e12
 FAR = 1e5
+#: A search asks after so many evaluations whether to stop, and tells how far it is.
+ASK_EVERY = 8
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,23 +53,94 @@ class Found:
     energy: float
     evaluations: int
 
+    def after(self, evaluations: int) -> Found:
+        """The same after so many evaluations."""
+        return replace(self, evaluations=evaluations)
 
-def nelder_mead(energy: Callable[[Array], float], x0: Array, step: Array, limits: Limits) -> Found:
-    """Minimise by the simplex method, begun as GSL's nmsimplex begins: x0, and x0 + step_i e_i."""
+
+@dataclass(frozen=True, slots=True)
+class Watch:
+    """Who may stop a search and is told how far it is.
+
+    Parameters
+    ----------
+    stop : callable
+    tell : callable
+    begun, share : float
+        How far the solve was when this search began, and how much of the solve it is.
+    what : str
+        What is being done.
+    """
+
+    stop: Stop = lambda: False
+    tell: Progress = lambda done, what: None
+    begun: float = 0.0
+    share: float = 1.0
+    what: str = "optimization"
+
+    def part(self, begun: float, share: float, what: str) -> Watch:
+        """The same people watch a part of it."""
+        return replace(self, begun=begun, share=share, what=what)
+
+    def say(self, done: float) -> None:
+        """How far this search is, 0 to 1."""
+        self.tell(self.begun + self.share * min(done, 1.0), self.what)
+
+
+def watched_by(stop: Stop | None, tell: Progress | None) -> Watch:
+    """The watch of a solve that somebody may stop, and somebody is told of."""
+    watch = Watch() if stop is None else Watch(stop)
+    return watch if tell is None else replace(watch, tell=tell)
+
+
+class _StoppedError(Exception):
+    """Somebody stopped the search; nobody sees this outside of it."""
+
+
+class _Watched:
+    """An energy that is watched, and the least that it was."""
+
+    def __init__(self, energy: Callable[[Array], float], x0: Array, most: int, watch: Watch):
+        self.energy, self.most, self.watch = energy, most, watch
+        self.best = Found(x0, np.inf, 0)
+
+    def __call__(self, x: Array) -> float:
+        count = self.best.evaluations
+        if count % ASK_EVERY == 0:
+            self.watch.say(count / self.most)
+            if self.watch.stop():
+                raise _StoppedError
+        value = self.energy(x)
+        better = value < self.best.energy
+        self.best = Found(x.copy(), value, count + 1) if better else self.best.after(count + 1)
+        return value
+
+
+def nelder_mead(
+    energy: Callable[[Array], float], x0: Array, step: Array, limits: Limits, watch: Watch
+) -> Found:
+    """Minimise by the simplex method, begun as GSL's nmsimplex begins: x0, and x0 + step_i e_i.
+
+    One that is stopped ends at once, with the best point that it saw.
+    """
     n = len(x0)
-    simplex = np.vstack([x0, x0 + np.diag(step)])
-    found = optimize.minimize(
-        energy,
-        x0,
-        method="Nelder-Mead",
-        options={
-            "initial_simplex": simplex,
-            "maxfev": limits.evaluations_per_dimension * n,
-            "maxiter": limits.evaluations_per_dimension * n,
-            "xatol": limits.tolerance,
-            "fatol": limits.tolerance,
-        },
-    )
+    most = limits.evaluations_per_dimension * n
+    watched = _Watched(energy, x0, most, watch)
+    try:
+        found = optimize.minimize(
+            watched,
+            x0,
+            method="Nelder-Mead",
+            options={
+                "initial_simplex": np.vstack([x0, x0 + np.diag(step)]),
+                "maxfev": most,
+                "maxiter": most,
+                "xatol": limits.tolerance,
+                "fatol": limits.tolerance,
+            },
+        )
+    except _StoppedError:
+        return watched.best
     return Found(np.asarray(found.x, dtype=float), float(found.fun), int(found.nfev))
 
 

@@ -45,9 +45,11 @@ from .common import (
     Limits,
     Reference,
     View,
+    Watch,
     camera_steps,
     nelder_mead,
     view_along_z,
+    watched_by,
 )
 from .drawing import DIAGONAL, Drawing, read_drawing
 from .energies import IntArray
@@ -57,6 +59,8 @@ from .placing import onto_ground, run
 PROJECTION_WEIGHTS = (0.4, 0.3, 0.2, 0.1, 0.001)
 #: First steps of depths and coordinates, drawing units.
 STEP = 0.1 * DIAGONAL
+#: How much of all the work the initial optimizations are said to be.
+INITIAL_SHARE = 0.8
 
 
 def solve(
@@ -74,9 +78,9 @@ def solve(
     limits : Limits, optional
         Where the searches end.
     stop : callable, optional
-        Asked between optimisations; True ends the solve with what there is.
+        Asked every few evaluations; True ends the solve at once, with what there is.
     progress : callable, optional
-        Told how far the solve is (0 to 1) and what is being done, between optimisations.
+        Told how far the solve is (0 to 1) and what is being done.
 
     Returns
     -------
@@ -84,12 +88,11 @@ def solve(
         ``converged`` where every annotation holds within 1 degree and 1 % of the size.
     """
     limits = limits or Limits()
-    stop = stop or (lambda: False)
-    tell = progress or (lambda done, what: None)
+    watch = watched_by(stop, progress)
 
     def method(drawing: Drawing) -> Reference:
-        depths, spent = initial_optimization(drawing, limits, stop, tell)
-        return full_optimization(drawing, depths, limits, stop, spent, tell)
+        depths, spent = initial_optimization(drawing, limits, watch)
+        return full_optimization(drawing, depths, limits, watch, spent)
 
     return run("lau2010", graph, method)
 
@@ -97,9 +100,7 @@ def solve(
 # --- initial optimization ---------------------------------------------------------------------
 
 
-def initial_optimization(
-    drawing: Drawing, limits: Limits, stop: Stop, tell: Progress = lambda done, what: None
-) -> tuple[Array, int]:
+def initial_optimization(drawing: Drawing, limits: Limits, watch: Watch) -> tuple[Array, int]:
     """ "The initial step finds only the depth of each 3D vertex."
 
     Returns
@@ -117,18 +118,20 @@ def initial_optimization(
     n = len(drawing.p)
     step = np.full(n, STEP)
     # "We initialize depth values to 0."
-    first = nelder_mead(energy, np.zeros(n), step, limits)
+    share = INITIAL_SHARE / (n + 1)
+    words = "initial optimization"
+    first = nelder_mead(energy, np.zeros(n), step, limits, watch.part(0.0, share, words))
     best, spent = first, first.evaluations
     # "Given this solution, we iterate through each vertex and randomly re-initialize its depth, and
     # perform an initial optimization for each case. We choose the best result among all cases."
     rng = np.random.default_rng(limits.seed)
     for i in range(n if limits.restarts is None else min(n, limits.restarts)):
-        if stop():
+        if watch.stop():
             break
-        tell(0.8 * (i + 1) / (n + 1), f"initial optimization, vertex {i + 1} of {n}")
+        part = watch.part((i + 1) * share, share, f"{words}, vertex {i + 1} of {n}")
         depths = first.x.copy()
         depths[i] = rng.uniform(-DIAGONAL / 2, DIAGONAL / 2)
-        case = nelder_mead(energy, depths, step, limits)
+        case = nelder_mead(energy, depths, step, limits, part)
         spent += case.evaluations
         best = min(best, case, key=lambda found: found.energy)
     return best.x, spent
@@ -209,22 +212,23 @@ def full_optimization(
     drawing: Drawing,
     depths: Array,
     limits: Limits,
-    stop: Stop,
+    watch: Watch,
     spent: int = 0,
-    tell: Progress = lambda done, what: None,
 ) -> Reference:
     """ "Both geometric and projection constraints", from the result of the initial step."""
     X, view = _standing(drawing, depths)
     dimensions = reduce_dimensions(drawing)
     unknowns = X.reshape(-1)[dimensions.chosen]
     for k, weight in enumerate(PROJECTION_WEIGHTS):
-        tell(0.8 + 0.2 * k / len(PROJECTION_WEIGHTS), f"full optimization, weight {weight:g}")
+        share = (1 - INITIAL_SHARE) / len(PROJECTION_WEIGHTS)
+        words = f"full optimization, weight {weight:g}"
+        part = watch.part(INITIAL_SHARE + k * share, share, words)
         # "running the full optimization multiple times with the previous solution as the starting
         # point and gradually lowering the weight on the projection constraint works well"
-        found = _full_once(drawing, dimensions, unknowns, view, weight, limits)
+        found = _full_once(drawing, dimensions, unknowns, view, weight, limits, part)
         unknowns, view = found.x[:-7], view.moved(found.x[-7:])
         spent += found.evaluations
-        if stop():
+        if watch.stop():
             break
     return Reference(dimensions.vertices(unknowns), view, spent)
 
@@ -236,6 +240,7 @@ def _full_once(
     view: View,
     weight: float,
     limits: Limits,
+    watch: Watch,
 ) -> Found:
     def energy(x: Array) -> float:
         X = dimensions.vertices(x[:-7])
@@ -244,7 +249,7 @@ def _full_once(
 
     x0 = np.concatenate([unknowns, np.zeros(7)])
     step = np.concatenate([np.full(len(unknowns), STEP), camera_steps(drawing)])
-    return nelder_mead(energy, x0, step, limits)
+    return nelder_mead(energy, x0, step, limits, watch)
 
 
 def _standing(drawing: Drawing, depths: Array) -> tuple[Array, View]:

@@ -19,7 +19,15 @@ import numpy as np
 from ..graph import SketchGraph
 from ..solution import Solution
 from ..values import Array, Progress, Stop
-from .common import Limits, Reference, camera_steps, nelder_mead, view_along_z
+from .common import (
+    Limits,
+    Reference,
+    Watch,
+    camera_steps,
+    nelder_mead,
+    view_along_z,
+    watched_by,
+)
 from .drawing import Drawing
 from .lau2010 import PROJECTION_WEIGHTS, STEP
 from .placing import run
@@ -40,9 +48,9 @@ def solve(
     limits : Limits, optional
         Where the search ends.
     stop : callable, optional
-        Taken for the sake of one signature: there is nothing between optimisations here.
+        Asked every few evaluations; True ends the solve at once, with what there is.
     progress : callable, optional
-        Told once, for the same reason.
+        Told how far the solve is (0 to 1) and what is being done.
 
     Returns
     -------
@@ -50,12 +58,11 @@ def solve(
         ``converged`` where every annotation holds within 1 degree and 1 % of the size.
     """
     limits = limits or Limits()
-    if progress is not None:
-        progress(0.0, "one optimization")
-    return run("lipson1996", graph, lambda drawing: optimization(drawing, limits))
+    watch = watched_by(stop, progress).part(0.0, 1.0, "one optimization")
+    return run("lipson1996", graph, lambda drawing: optimization(drawing, limits, watch))
 
 
-def optimization(drawing: Drawing, limits: Limits) -> Reference:
+def optimization(drawing: Drawing, limits: Limits, watch: Watch) -> Reference:
     """The one optimisation: 3 n unknowns and the camera's seven."""
     n = len(drawing.p)
     view = view_along_z(drawing.focal)
@@ -69,5 +76,5 @@ def optimization(drawing: Drawing, limits: Limits) -> Reference:
     flat = np.column_stack([drawing.p, np.zeros(n)]).reshape(-1)
     x0 = np.concatenate([flat, np.zeros(7)])
     step = np.concatenate([np.full(3 * n, STEP), camera_steps(drawing)])
-    found = nelder_mead(energy, x0, step, limits)
+    found = nelder_mead(energy, x0, step, limits, watch)
     return Reference(found.x[:-7].reshape(-1, 3), view.moved(found.x[-7:]), found.evaluations)

@@ -192,12 +192,14 @@ def find_blame(
     afresh : callable, optional
         Solves without an annotation, from nothing; else from where they all give way.
     """
-    relaxed = relax(graph, lifted.problem, lifted.minimum.x, lost=lost)
+    relaxed = relax(graph, lifted.problem, lifted.minimum.x, stop, lost=lost)
     if relaxed is None:
         return None
     shapes: dict[str, Candidate] = {}
 
     def attempt(id_: str) -> Reading | None:
+        if stop():
+            return None
         found = afresh(id_) if afresh else lift_near(without(graph, id_), relaxed, stop)
         if found is None:
             return None
@@ -232,10 +234,12 @@ def _blame(
     return Blame(ids, f"{_or(ids)} contradicts the rest: {missed}. Solved without {ids[0]}.", False)
 
 
-def suspicion(graph: SketchGraph, lifted: Candidate) -> Blame | None:
+def suspicion(graph: SketchGraph, lifted: Candidate, stop: Stop) -> Blame | None:
     """What to look at first where the drawing is grossly missed and nothing explains why."""
     rms = reading_of(graph, lifted).rms
-    relaxed = relax(graph, lifted.problem, lifted.minimum.x, lost=True) if rms > GROSS_RMS else None
+    if rms <= GROSS_RMS:
+        return None
+    relaxed = relax(graph, lifted.problem, lifted.minimum.x, stop, lost=True)
     if relaxed is None or not relaxed.suspects:
         return None
     ids = tuple(s.id for s in relaxed.suspects[:MOST_SUSPECTS])
@@ -243,9 +247,11 @@ def suspicion(graph: SketchGraph, lifted: Candidate) -> Blame | None:
     return Blame(ids, f"Solved, but the drawing is missed by {px:.0f} px: check {_or(ids)}.", True)
 
 
-def blame_for_clash(graph: SketchGraph, attempt: Callable[[str], Reading | None]) -> Blame:
+def blame_for_clash(
+    graph: SketchGraph, attempt: Callable[[str], Reading | None], stop: Stop
+) -> Blame:
     """Whom to blame where annotations cannot all hold, whatever the drawing."""
-    clash = find_clash(graph)
+    clash = find_clash(graph, stop)
     several = clash.culprits if len(clash.culprits) > 1 else ()
     tried = convict([(id_, 1.0) for id_ in several], attempt)
     ids = tuple(dict.fromkeys([*(id_ for id_, _ in tried), *clash.ids]))

@@ -1,37 +1,81 @@
 """How long a solve may go on, counted in work and not in time: verdicts are the same everywhere.
 
-A unit is about a millisecond on a usual machine.
+A unit is about a millisecond on a usual machine. The same count tells how far a solve is.
 """
 
 from __future__ import annotations
 
-from .values import Stop
+from functools import partial
+
+from .values import Progress, Stop
 
 #: A solve ends after so much work.
-MAX_EFFORT = 1500.0
+MAX_EFFORT = 4000.0
 #: An iteration costs a little by itself, and more with the square of its unknowns and conditions.
 ITERATION, BY_SIZE = 0.3, 1.5e-4
+#: The same where all else is eliminated beforehand, as where parts float.
+LIGHT, BY_UNKNOWN = 0.3, 1e-4
 #: To ask whether annotations agree costs a little by itself, and more with what was drawn and said.
 QUESTION, BY_ELEMENT = 1.0, 0.007
 MAX_ASKING = 1000.0
+#: After so much work a solve is said to be halfway; few need more.
+HALFWAY = 100.0
+#: Progress is told after so much more work.
+WORTH_TELLING = 25.0
 
 
 class Effort:
-    """Asked between iterations whether to stop: when somebody wants it, or after enough work."""
+    """Asked between iterations whether to stop: when somebody wants it, or after enough work.
 
-    def __init__(self, stop: Stop | None) -> None:
-        self._stop = stop
+    Parameters
+    ----------
+    stop : callable or None
+        Whether somebody wants it.
+    tell : callable or None
+        Told how far the solve is.
+    """
+
+    def __init__(self, stop: Stop | None, tell: Progress | None = None) -> None:
+        self._stop, self._tell = stop, tell
         self._done = 0.0
         self._each = ITERATION
+        self._what, self._told, self._told_at = "", 0.0, 0.0
+        #: Whether somebody stopped it.
+        self.stopped = False
 
     def weigh(self, size: int) -> None:
         """From now on iterations are over so many unknowns and conditions."""
         self._each = ITERATION + BY_SIZE * size**2
 
+    def doing(self, what: str, least: float = 0.0) -> None:
+        """Say what is being done now, and how far the solve is at least."""
+        self._what = what
+        self._say(max(least, self._told))
+
     def __call__(self) -> bool:
         """Whether to stop."""
-        self._done += self._each
-        return self._done > MAX_EFFORT or (self._stop is not None and self._stop())
+        return self.after(self._each)
+
+    def after(self, work: float) -> bool:
+        """Whether to stop, after so much work of another kind."""
+        self._done += work
+        if self._tell is not None and self._done > self._told_at + WORTH_TELLING:
+            # The beginning and the end are told by themselves.
+            self._say(max(self._told, 0.1 + 0.8 * self._done / (self._done + HALFWAY)))
+        self.stopped = self.stopped or (self._stop is not None and self._stop())
+        return self.stopped or self._done > MAX_EFFORT
+
+    def _say(self, done: float) -> None:
+        self._told, self._told_at = done, self._done
+        if self._tell is not None:
+            self._tell(done, self._what)
+
+
+def counting(stop: Stop | None, unknowns: int) -> Stop:
+    """The same, asked between iterations over so many unknowns and few conditions each."""
+    if isinstance(stop, Effort):
+        return partial(stop.after, LIGHT + BY_UNKNOWN * unknowns**2)
+    return stop or (lambda: False)
 
 
 def questions_within_reason(elements: int) -> int:

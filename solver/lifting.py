@@ -246,7 +246,7 @@ def _best(
     tolerated, least = np.inf, np.inf
     for view in islice(views(problem), MAX_STARTS):
         pose = _initial_pose(problem, view) if view.misfit <= tolerated else None
-        for begun in () if pose is None else _with_floats(problem, pose):
+        for begun in () if pose is None else _with_floats(problem, pose, stop):
             pursuit = _Pursuit(carry_on, TRIAL_ENOUGH, TRIAL_ITERATIONS, least)
             tried.append(seen(pursuit.of(begin(begun))))
             if wary and len(tried) == 1 and is_doubtful(graph, tried[0]):
@@ -258,7 +258,7 @@ def _best(
                 least = min(least, tried[-1].minimum.cost)
             if _is_exact(tried[-1]):
                 break
-        if tried and _is_exact(tried[-1]):
+        if tried and (_is_exact(tried[-1]) or (stop is not None and stop())):
             break
     finished: list[Lifted] = []
     for t in _promising(graph, tried):
@@ -266,23 +266,25 @@ def _best(
         settled = t.minimum.converged and t.minimum.cost > SETTLED * least
         pursuit = _Pursuit(carry_on, enough, MAX_ITERATIONS, least)
         finished.append(t if settled else seen(pursuit.of(_open(t.minimum))))
-    for pose in _with_floats_moved(problem, finished):
+    for pose in _with_floats_moved(problem, finished, stop):
         least = min(f.minimum.cost for f in finished)
         finished.append(seen(_Pursuit(carry_on, enough, MAX_ITERATIONS, least).of(begin(pose))))
     return _preferred(graph, finished)[0] if finished else None
 
 
-def _with_floats(problem: Problem, pose: Pose) -> list[Pose]:
-    return [replace(pose, g=g) for g in lifts(problem, pose.R, pose.g)]
+def _with_floats(problem: Problem, pose: Pose, stop: Stop | None) -> list[Pose]:
+    return [replace(pose, g=g) for g in lifts(problem, pose.R, pose.g, stop)]
 
 
-def _with_floats_moved(problem: Problem, finished: list[Lifted]) -> Iterator[Pose]:
+def _with_floats_moved(
+    problem: Problem, finished: list[Lifted], stop: Stop | None
+) -> Iterator[Pose]:
     """With a good camera, other depths of parts that float may meet the annotations as well."""
     if not floats_matter(problem) or any(map(_is_exact, finished)):
         return
     for t in sorted(finished, key=lambda t: t.minimum.cost)[:1]:
         x = t.minimum.x
-        for g in other_depths(problem, x.R, lift_linear(problem, x.R, x.log_focal, 1e-3)):
+        for g in other_depths(problem, x.R, lift_linear(problem, x.R, x.log_focal, 1e-3), stop):
             if not same_lift(g, x.g):
                 yield replace(x, g=g)
 

@@ -35,20 +35,21 @@ def twin_of(graph: SketchGraph, lifted: Lifted, stop: Stop | None = None) -> Lif
     return replace(lifted, minimum=minimum, above=above)
 
 
-def fits_as_well(graph: SketchGraph, twin: Lifted, lifted: Lifted) -> bool:
+def fits_as_well(graph: SketchGraph, twin: Lifted, lifted: Lifted, stop: Stop) -> bool:
     """Whether nothing decides between two readings."""
     if ground_indices(graph) and not twin.above:
         return False
-    first, second = (np.log(_misfit(reading) + 1e-24) for reading in (lifted, twin))
+    first, second = (np.log(_misfit(reading, stop) + 1e-24) for reading in (lifted, twin))
     return spare_numbers(lifted.full) * float(second - first) < DECIDES
 
 
-def _misfit(lifted: Lifted) -> float:
+def _misfit(lifted: Lifted, stop: Stop) -> float:
     """Without what is expected of the focal length, which is no reason to trust a perspective."""
     if lifted.full.prior is None or lifted.problem.log_focal_prior is not None:
         return lifted.minimum.cost
     free = FullProblem(lifted.problem, None)
-    return minimise(free, lifted.minimum.x, max_iterations=MAX_ITERATIONS, near=True).cost
+    x = lifted.minimum.x
+    return minimise(free, x, max_iterations=MAX_ITERATIONS, near=True, stop=stop).cost
 
 
 def _reversed(c: Array, coordinate: IntArray, x: Pose) -> Pose:

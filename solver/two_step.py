@@ -69,6 +69,8 @@ from .world import ground_indices
 
 #: Vertices whose spread to the side is so small a part of that along are on one line.
 ON_A_LINE = 1e-6
+#: Said where somebody stopped it.
+STOPPED = "Stopped before the end: this is as far as it came."
 #: Said where the standard errors of sizes are large.
 UNSURE = " Its sizes are unsure: mark more, give a length, or trace something real in the photo."
 #: Said where the drawing does not tell the focal length, and something else is said first.
@@ -110,9 +112,12 @@ def solve(
     began = time.perf_counter()
     with one_blas_thread, np.errstate(over="ignore", invalid="ignore", divide="ignore"):
         try:
-            tell = progress or _nobody
-            once = partial(_solve, start=start, effort=Effort(stop), tell=tell, twin=twin)
+            effort = Effort(stop, progress)
+            once = partial(_solve, start=start, effort=effort, twin=twin)
             solution = solve_on_found_faces(graph, once)
+            effort.doing("done", 1.0)
+            if effort.stopped:
+                solution = replace(solution, status=Status.NOT_CONVERGED, message=STOPPED)
         except np.linalg.LinAlgError:
             solution = _lost(graph)
     if not solution.is_bounded:
@@ -121,14 +126,8 @@ def solve(
     return replace(solution, report=replace(solution.report, solve_ms=elapsed))
 
 
-def _nobody(done: float, what: str) -> None:
-    """Nobody wants to know."""
-
-
-def _solve(
-    graph: SketchGraph, start: Solution | None, effort: Effort, tell: Progress, *, twin: bool
-) -> Solution:
-    tell(0.0, "reasoning about the annotations")
+def _solve(graph: SketchGraph, start: Solution | None, effort: Effort, *, twin: bool) -> Solution:
+    effort.doing("reasoning about the annotations")
     nothing = _nothing_to_lift(graph)
     if nothing is not None:
         return Solution(graph, Status.UNDERDETERMINED, nothing)
@@ -143,14 +142,13 @@ def _solve(
         n = structure.n_coordinates
         return _too_free(graph, f"{conditions} conditions on {n} coordinates are left")
     effort.weigh(structure.n_coordinates + conditions)
-    tell(0.1, "looking for the camera and the shape")
+    effort.doing("looking for the camera and the shape", 0.1)
     near = None if start is None else lift_near(core, structure, start, effort)
     if near is not None and not needs_a_closer_look(core, near, dragging=True):
         return _describe(graph, core, _reading_asked_for(core, near, effort, twin=twin))
     lifted, blamed = _lift_or_blame(core, structure, effort)
     if lifted is None:
         return _lost(graph)
-    tell(0.9, "describing what was found")
     return _describe(graph, core, _reading_asked_for(core, lifted, effort, twin=twin), blamed)
 
 
@@ -158,15 +156,16 @@ def _conditions(core: SketchGraph, structure: Structure) -> int:
     return sum(len(block.items) for block in build_problem(core, structure).blocks)
 
 
-def _reading_asked_for(core: SketchGraph, lifted: Lifted, stop: Stop, *, twin: bool) -> Lifted:
+def _reading_asked_for(core: SketchGraph, lifted: Lifted, effort: Effort, *, twin: bool) -> Lifted:
     """The first or the second of two readings, and whether nothing decides between them."""
     decided = bool(ground_indices(core)) or lifted.as_guessed
-    if lifted.doubtful or (decided and not twin):
+    if lifted.doubtful or effort.stopped or (decided and not twin):
         return lifted
-    other = twin_of(core, lifted, stop)
+    effort.doing("exchanging near and far")
+    other = twin_of(core, lifted, effort)
     if other is None:
         return lifted
-    twofold = fits_as_well(core, other, lifted)
+    twofold = fits_as_well(core, other, lifted, effort)
     return replace(other if twin else lifted, twofold=twofold)
 
 
@@ -201,16 +200,17 @@ def _nothing_to_lift(graph: SketchGraph) -> str | None:
 
 def _without_culprit(graph: SketchGraph, core: SketchGraph, effort: Effort) -> Solution:
     """What follows from annotations that cannot all hold: the shape without the culprit."""
+    effort.doing("looking for annotations that disagree")
     kept: dict[str, Lifted] = {}
 
     def attempt(id_: str) -> Reading | None:
-        lifted = _lift_without(core, id_, effort)
+        lifted = None if effort.stopped else _lift_without(core, id_, effort)
         if lifted is None or lifted.doubtful:
             return None
         kept[id_] = lifted
         return reading_of(without(core, id_), lifted)
 
-    blamed = blame_for_clash(core, attempt)
+    blamed = blame_for_clash(core, attempt, effort)
     first = blamed.ids[0]
     lifted = kept.get(first) or _lift_without(core, first, effort)
     if lifted is None or lifted.doubtful:
@@ -236,18 +236,23 @@ def _lift_or_blame(
 ) -> tuple[Lifted | None, Blame | None]:
     """The shape, or where an annotation contradicts the drawing grossly the shape without it."""
     lifted = lift_as_guessed(core, structure, effort) or lift(core, structure, effort, wary=True)
-    if lifted is None or _is_fine(core, lifted):
+    if lifted is None or effort.stopped or _is_fine(core, lifted):
         return lifted, None
+    effort.doing("looking for annotations that disagree")
     blamed = None
     for lost in (False, True)[lifted.doubtful :]:
         blamed = blamed or find_blame(core, lifted, effort, lost=lost)
     if blamed is None and reading_of(core, lifted).rms > GROSS_RMS:
         afresh = partial(_lift_without, core, effort=effort)
         blamed = find_blame(core, lifted, effort, lost=True, afresh=afresh)
+    if effort.stopped:
+        return lifted, None
     wished = _as_wished(core, structure, lifted, blamed, effort)
     if wished is not None:
         return wished
     other = None
+    if effort.stopped:
+        return lifted, None
     if blamed is not None and not blamed.held:
         other = _lift_without(core, blamed.ids[0], effort)
     if other is not None and not other.doubtful:
@@ -255,9 +260,10 @@ def _lift_or_blame(
     # What was found at first sight only is finished.
     lifted = lift(core, structure, effort) if lifted.doubtful else lifted
     if lifted is not None and not is_settled(lifted):
+        effort.doing("beginning from other shapes")
         lifted = rescued(core, lifted, effort) or lifted
     if lifted is not None and blamed is None and is_settled(lifted):
-        blamed = suspicion(core, lifted)
+        blamed = suspicion(core, lifted, effort)
     return lifted, blamed
 
 

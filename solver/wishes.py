@@ -72,7 +72,7 @@ def fulfilled(graph: SketchGraph, structure: Structure, drawn: Lifted, stop: Sto
     x = _beginning(graph, structure, drawn)
     for k in range(1, n + 1):
         full = FullProblem(build_problem(_on_the_way(graph, measured, k / n), structure), None)
-        before, x = x, _nearest(full, x)
+        before, x = x, _nearest(full, x, stop)
         if stop() or _worst(full, x) > HELD or _turns_over(full, before, x):
             return None
     n_iterations = drawn.minimum.iterations + n
@@ -80,14 +80,14 @@ def fulfilled(graph: SketchGraph, structure: Structure, drawn: Lifted, stop: Sto
     return Lifted(full.problem, full, minimum, camera_above_ground(graph, full.problem, x))
 
 
-def _nearest(full: FullProblem, x: Pose) -> Pose:
+def _nearest(full: FullProblem, x: Pose, stop: Stop) -> Pose:
     """The shape with the constraints held that is stretched least, the reference size kept."""
     wanted = _reference_size(full, x)[0]
     for _ in range(MAX_STEPS):
         h, H = full.constraints(x)
         size, by_g = _reference_size(full, x)
         h, H = np.append(h, (size - wanted) / wanted), np.vstack([H[:, 4:], by_g / wanted])
-        if float(np.abs(h).max()) < 1e-15:
+        if float(np.abs(h).max()) < 1e-15 or stop():
             break
         x = replace(x, g=x.g + _gentlest_step(h, H, _strain(full, x)))
     return x

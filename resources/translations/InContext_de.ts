@@ -1116,6 +1116,10 @@
         <translation>Gelöst, aber eine zweite Form, nah und fern vertauscht, passt ebenso gut: bitte markieren, was auf dem Boden steht, oder den Zwilling verlangen.</translation>
     </message>
     <message>
+        <source>Stopped before the end: this is as far as it came.</source>
+        <translation>Vor dem Ende angehalten: so weit ist es gekommen.</translation>
+    </message>
+    <message>
         <source>Solved, but seen from below: check the ground vertices.</source>
         <translation>Gelöst, aber von unten gesehen: bitte die Bodenpunkte prüfen.</translation>
     </message>

@@ -1116,6 +1116,10 @@
         <translation>解けましたが、遠近を入れ替えた別の形も同じくらい合います。地面にある点を指定するか、もう一方の形を求めてください。</translation>
     </message>
     <message>
+        <source>Stopped before the end: this is as far as it came.</source>
+        <translation>途中で止めました。ここまでの結果です。</translation>
+    </message>
+    <message>
         <source>Solved, but seen from below: check the ground vertices.</source>
         <translation>解けましたが下から見ています。地面の頂点を確認してください。</translation>
     </message>

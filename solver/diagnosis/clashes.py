@@ -18,6 +18,7 @@ from ..annotations import targets_of
 from ..effort import questions_within_reason
 from ..graph import SketchGraph
 from ..structure import build_structure
+from ..values import Stop
 
 #: How often it may be asked whether some annotations agree, to find the culprits.
 MAX_QUESTIONS = 60
@@ -49,9 +50,16 @@ class Clash:
         return (*self.culprits, *self.others)
 
 
-def find_clash(graph: SketchGraph) -> Clash:
-    """A smallest clash among annotations of which it is known that they cannot all hold."""
-    search = _Search(graph)
+def find_clash(graph: SketchGraph, stop: Stop | None = None) -> Clash:
+    """A smallest clash among annotations of which it is known that they cannot all hold.
+
+    Parameters
+    ----------
+    graph : SketchGraph
+    stop : callable, optional
+        Asked at each question; True ends the search with what was found so far.
+    """
+    search = _Search(graph, stop)
     culprits = sorted(search.culprits(), key=search.said.index, reverse=True)
     search.limit = len(search.asked) + max(MORE_QUESTIONS, MORE_AMONG_FEW // len(search.said))
     clash = search.smallest((culprits or search.said[-1:])[0])
@@ -66,8 +74,9 @@ def clashing_annotations(graph: SketchGraph) -> tuple[str, ...]:
 class _Search:
     """Asks whether annotations agree, few of them at a time where that will do."""
 
-    def __init__(self, graph: SketchGraph) -> None:
+    def __init__(self, graph: SketchGraph, stop: Stop | None) -> None:
         self.graph = graph
+        self.stop = stop or (lambda: False)
         self.said = list(graph.annotations)
         self.asked: dict[frozenset[str], bool] = {}
         self.reason = questions_within_reason(len(graph.edges) + len(self.said))
@@ -86,7 +95,7 @@ class _Search:
     @property
     def tired(self) -> bool:
         """Whether enough was asked."""
-        return len(self.asked) >= min(self.limit, self.reason)
+        return len(self.asked) >= min(self.limit, self.reason) or self.stop()
 
     def culprits(self) -> list[str]:
         """All annotations without any one of which the others agree.

@@ -27,7 +27,7 @@ from ..least_squares import Evaluation
 from ..problem import Problem, build_problem
 from ..structure import Structure, build_structure
 from ..topology import topology_of
-from ..values import Array, IntArray
+from ..values import Array, IntArray, Stop
 
 #: How far a hand strays from the line that it means, RMS in parts of the drawing's diagonal.
 HAND_SIGMA = 0.007
@@ -78,7 +78,9 @@ class Relaxed:
     suspects: list[Suspect]
 
 
-def relax(graph: SketchGraph, problem: Problem, pose: Pose, *, lost: bool) -> Relaxed | None:
+def relax(
+    graph: SketchGraph, problem: Problem, pose: Pose, stop: Stop, *, lost: bool
+) -> Relaxed | None:
     """Let the annotations give way, and see which one does most.
 
     Parameters
@@ -89,6 +91,8 @@ def relax(graph: SketchGraph, problem: Problem, pose: Pose, *, lost: bool) -> Re
         Its numbers.
     pose : Pose
         The result so far, from which only the camera and the depths are used.
+    stop : callable
+        Asked at each step; True ends the search with the best so far.
     lost : bool
         Whether the result is so bad that other beginnings are to be tried as well.
     """
@@ -102,15 +106,15 @@ def relax(graph: SketchGraph, problem: Problem, pose: Pose, *, lost: bool) -> Re
     begun = [begin(soft.problem, problem.structure, pose)]
     if lost:
         begun += other_beginnings(graph, soft.problem)
-    springs = _Springs(soft, stiffness, YIELD)
-    tried = [springs.relaxed(x, FIRST_ITERATIONS) for x in begun if x is not None]
+    springs = _Springs(soft, stiffness, YIELD, stop)
+    tried = springs.all_relaxed(begun, FIRST_ITERATIONS)
     if not tried:
         return None
     x, _ = springs.relaxed(min(tried, key=lambda t: t[1])[0], ITERATIONS)
     return _told(soft, x, weigh(soft, x, owners, stiffness))
 
 
-def beginnings(graph: SketchGraph, problem: Problem, pose: Pose) -> Iterator[Relaxed]:
+def beginnings(graph: SketchGraph, problem: Problem, pose: Pose, stop: Stop) -> Iterator[Relaxed]:
     """Shapes from which all annotations may be reached, the nearest first, for each yield."""
     unknowns = 3 * (len(problem.points) + len(problem.circles))
     if unknowns > MAX_UNKNOWNS:
@@ -118,8 +122,8 @@ def beginnings(graph: SketchGraph, problem: Problem, pose: Pose) -> Iterator[Rel
     soft = softened(graph, problem)
     begun = [begin(soft.problem, problem.structure, pose), *other_beginnings(graph, soft.problem)]
     for strain in YIELDS if unknowns < MANY_UNKNOWNS else YIELDS[:1]:
-        springs = _Springs(soft, spring_stiffness(problem), strain)
-        tried = [springs.relaxed(x, LONG_ITERATIONS) for x in begun if x is not None]
+        springs = _Springs(soft, spring_stiffness(problem), strain, stop)
+        tried = springs.all_relaxed(begun, LONG_ITERATIONS)
         for x, _ in sorted(tried, key=lambda t: t[1])[:2]:
             yield _told(soft, x, [])
 
@@ -218,12 +222,21 @@ class _Springs:
     soft: FullProblem
     stiffness: float
     strain: float
+    stop: Stop
+
+    def all_relaxed(
+        self, begun: Sequence[Pose | None], iterations: int
+    ) -> list[tuple[Pose, float]]:
+        """From each beginning; from none any more once it is enough."""
+        return [self.relaxed(x, iterations) for x in begun if x is not None and not self.stop()]
 
     def relaxed(self, x: Pose, iterations: int) -> tuple[Pose, float]:
         """A few steps of Levenberg-Marquardt on |r|^2 + s sum log(1 + h^2 / c^2) c^2."""
         at, mu = self.soft.evaluate(x), 1e-3
         energy = self._energy(x, at.h)
         for _ in range(iterations):
+            if self.stop():
+                break
             A, b = _normal(at, self.stiffness / (1 + (at.h / self.strain) ** 2))
             diagonal = np.diag(A)
             A[np.diag_indices(len(A))] += mu * (diagonal + 1e-6 * float(diagonal.max()))

@@ -14,14 +14,16 @@ float
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import lru_cache
 
 import numpy as np
 
+from ..effort import counting
 from ..problem import Problem
 from ..structure import Structure
 from ..topology import MAX_KEPT
-from ..values import Array
+from ..values import Array, Stop
 
 #: Beyond so many coordinates nothing is searched.
 MAX_SEARCHED = 300
@@ -42,7 +44,7 @@ NEARLY_MET = 1e-2
 MIN_DEPTH = 0.2
 
 
-def lifts(problem: Problem, R: Array, g: Array) -> list[Array]:
+def lifts(problem: Problem, R: Array, g: Array, stop: Stop | None = None) -> list[Array]:
     """Shared coordinates to begin from, best first.
 
     Parameters
@@ -52,13 +54,15 @@ def lifts(problem: Problem, R: Array, g: Array) -> list[Array]:
         Camera from object axes.
     g : (m,) array
         The linear lift, in units of the mean depth.
+    stop : callable, optional
+        Asked at each step; True ends the search with the best so far.
     """
     if not floats_matter(problem):
         return [g]
     structure = problem.structure
     count = n_floats(structure)
-    search = _Search(problem, R, g, _floats(structure, g, count))
-    found = sorted((search.descend(t) for t in search.beginnings()), key=lambda f: f[0])
+    search = _Search(problem, R, g, _floats(structure, g, count), stop)
+    found = sorted(search.descents(), key=lambda f: f[0])
     kept: list[Array] = []
     for cost, t in found:
         lift = search.at(t)
@@ -77,15 +81,15 @@ def floats_matter(problem: Problem) -> bool:
     return n_floats(structure) >= 2
 
 
-def other_depths(problem: Problem, R: Array, g: Array) -> list[Array]:
+def other_depths(problem: Problem, R: Array, g: Array, stop: Stop | None = None) -> list[Array]:
     """Lifts under a good camera that may lead to other shapes than the one found with it.
 
     A valley of the constraints alone may vanish beside a neighbour that the drawing tells apart:
     one float is also begun from depths all along.
     """
-    found = lifts(problem, R, g)
+    found = lifts(problem, R, g, stop)
     if problem.blocks and n_floats(problem.structure) == 2:
-        search = _Search(problem, R, g, _floats(problem.structure, g, 2))
+        search = _Search(problem, R, g, _floats(problem.structure, g, 2), stop)
         spread = [search.at(np.array([t])) for t in np.linspace(-0.6, 0.6, N_SPREAD)]
         found += [lift for lift in spread if search.is_ahead(lift)]
     return found
@@ -140,7 +144,8 @@ def _floats(structure: Structure, g: Array, count: int) -> Array:
 class _Search:
     """Levenberg-Marquardt on the leftover constraints over the floats alone."""
 
-    def __init__(self, problem: Problem, R: Array, g: Array, N: Array) -> None:
+    def __init__(self, problem: Problem, R: Array, g: Array, N: Array, stop: Stop | None) -> None:
+        self.stop = counting(stop, N.shape[1])
         self.blocks = problem.blocks
         self.coordinate = problem.structure.coordinate
         self.forward = R[2]
@@ -167,6 +172,13 @@ class _Search:
         n_starts = min(MAX_SEARCHES, STARTS_PER_FLOAT * count)
         return [np.zeros(count), *(SPREAD * rng.normal(size=(n_starts, count)))]
 
+    def descents(self) -> Iterator[tuple[float, Array]]:
+        """Where the beginnings lead to, until it is enough; the first one always."""
+        for k, t in enumerate(self.beginnings()):
+            if k and self.stop():
+                return
+            yield self.descend(t)
+
     def cost(self, t: Array) -> float:
         if not self.is_ahead(self.at(t)):
             return float(np.inf)
@@ -191,6 +203,8 @@ class _Search:
         h, H = self.linearised(t)
         cost, damping = float(h @ h), 1e-2
         for _ in range(MAX_ITERATIONS):
+            if self.stop():
+                break
             A = H.T @ H
             A[np.diag_indices(len(A))] += damping * float(np.trace(A)) / len(A) + 1e-12
             moved = t - np.linalg.solve(A, H.T @ h)

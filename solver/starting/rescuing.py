@@ -51,7 +51,7 @@ def rescued(graph: SketchGraph, lifted: Candidate, stop: Stop) -> Lifted | None:
 
     def found() -> Iterator[Near | None]:
         yield from _near_guesses(graph, lifted.problem, stop)
-        for near in beginnings(graph, lifted.problem, lifted.minimum.x):
+        for near in beginnings(graph, lifted.problem, lifted.minimum.x, stop):
             yield near_to(graph, near, stop)
 
     return _finished(graph, _first_good(graph, found(), stop), stop)

@@ -15,6 +15,7 @@ from .reasons import REASONS
 #: Sentences with a place `{}` for each number, id or list of ids.
 SENTENCES = (
     "Solved.",
+    "Stopped before the end: this is as far as it came.",
     "Solved, but seen from below: check the ground vertices.",
     "Solved, with a usual focal length assumed: the drawing does not tell it.",
     "Solved, with what is drawn nearly square taken to be square: mark right angles where it is.",

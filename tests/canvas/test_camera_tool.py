@@ -7,9 +7,10 @@ import pytest
 from incontext.solver.camera import Camera
 from incontext.solver.graph import SketchGraph
 from incontext.workbench.canvas.attraction import Attraction
-from incontext.workbench.canvas.drawing import Drawing, Listener
+from incontext.workbench.canvas.drawing import Listener
 from incontext.workbench.canvas.questions import KnownRectangle
 from incontext.workbench.canvas.solved import Solved
+from incontext.workbench.canvas.tool_at_work import ToolAtWork
 from incontext.workbench.canvas.tools.base import Pointer
 
 CORNERS = ((100.0, 300.0), (300.0, 310.0), (260.0, 200.0), (120.0, 195.0))
@@ -24,7 +25,7 @@ class Hand:
         listener = Listener(
             edited=lambda *edit: self.edits.append(edit), rectangle_told=self.told.append
         )
-        self.drawing = Drawing(SketchGraph(vertices={"v1": (5.0, 5.0)}), listener)
+        self.drawing = ToolAtWork(SketchGraph(vertices={"v1": (5.0, 5.0)}), listener)
         self.drawing.set_rectangle(rectangle)
         self.drawing.use("camera")
 

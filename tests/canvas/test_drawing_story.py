@@ -8,7 +8,8 @@ import pytest
 
 from incontext.solver import load_sketch, solve
 from incontext.solver.graph import SketchGraph
-from incontext.workbench.canvas.drawing import Drawing, Listener
+from incontext.workbench.canvas.drawing import Listener
+from incontext.workbench.canvas.tool_at_work import ToolAtWork
 from incontext.workbench.canvas.tools.base import Pointer
 
 EXAMPLES = Path(__file__).parents[2] / "resources" / "examples"
@@ -21,7 +22,7 @@ SHELF = "v5 v6 v7 v8 v5"
 def test_bookshelf_drawn_by_hand_lifts_as_the_example_does():
     example = load_sketch(EXAMPLES / "bookshelf" / "bookshelf.sketch.json")
     asked, gestures = [], []
-    drawing = Drawing(SketchGraph(photo=example.photo), Listener(asked=asked.append))
+    drawing = ToolAtWork(SketchGraph(photo=example.photo), Listener(asked=asked.append))
 
     def at(*vertices):
         return Pointer(tuple(np.mean([example.vertices[v] for v in vertices], axis=0)), 9.0)

@@ -16,11 +16,12 @@ from incontext.solver import load_sketch, solve
 from incontext.solver.graph import SketchGraph
 from incontext.solver.reading.parsing import check_references
 from incontext.solver.serialise import sketch_from_text, sketch_to_text
-from incontext.workbench.canvas.drawing import Drawing, Listener
+from incontext.workbench.canvas.drawing import Listener
 from incontext.workbench.canvas.key_cursor import KeyCursor
 from incontext.workbench.canvas.marks import marks_of
 from incontext.workbench.canvas.said import on_photo, symbol_of
 from incontext.workbench.canvas.solved import Solved
+from incontext.workbench.canvas.tool_at_work import ToolAtWork
 from incontext.workbench.canvas.tools import TOOLS
 from incontext.workbench.canvas.tools.base import Pointer
 from incontext.workbench.canvas.turning import rings_of
@@ -51,7 +52,7 @@ class Hands(RuleBasedStateMachine):
         self.now = 0
         self.words, self.asked = [], []
         listener = Listener(self._edited, asked=self.asked.append)
-        self.drawing = Drawing(self.steps[0], listener)
+        self.drawing = ToolAtWork(self.steps[0], listener)
         self.drawing.set_solved(SOLVED if solved else None)
         self.cursor = KeyCursor(self.drawing)
 

@@ -9,10 +9,11 @@ from hypothesis import strategies as st
 from incontext.solver.annotations import EqualLength, Ground, Length, Parallel, RightAngle
 from incontext.solver.graph import SketchGraph
 from incontext.solver.reading.parsing import check_references
-from incontext.workbench.canvas.drawing import Drawing, Listener
+from incontext.workbench.canvas.drawing import Listener
 from incontext.workbench.canvas.questions import About, Question
 from incontext.workbench.canvas.selection import Selection
 from incontext.workbench.canvas.snapping import SnapKind
+from incontext.workbench.canvas.tool_at_work import ToolAtWork
 from incontext.workbench.canvas.tools import KEYS, TOOLS
 from incontext.workbench.canvas.tools.base import Pointer
 
@@ -29,7 +30,7 @@ class Hand:
 
     def __init__(self, graph=SQUARE, tool="select"):
         self.words, self.asked = [], []
-        self.drawing = Drawing(graph, Listener(self._edited, asked=self.asked.append))
+        self.drawing = ToolAtWork(graph, Listener(self._edited, asked=self.asked.append))
         self.drawing.use(tool)
 
     def _edited(self, graph, words):

@@ -1,11 +1,9 @@
-"""The state of drawing, without Qt: the graph, what is selected, the tool at work.
+"""What the tools work on, without Qt: the graph, what is selected, what is known of it.
 
 Terms
 -----
 committed
     The graph as the document has it; between press and release the shown graph may differ.
-hint
-    One line that says what to do next.
 """
 
 from __future__ import annotations
@@ -21,13 +19,10 @@ from ...solver.graph import Face, Point, SketchGraph
 from .attraction import Attraction
 from .ground_grid import GroundGrid
 from .marks import Marks, marks_of
-from .preview import Preview
 from .questions import About, KnownRectangle, Question
 from .selection import Selection
 from .snapping import Snap
 from .solved import Solved, face_choices
-from .tools import TOOLS
-from .tools.base import Pointer, Tool
 
 
 def _nothing(*_: object) -> None:
@@ -60,13 +55,11 @@ class Drawing:
         self._listener = listener
         self._committed = self._graph = graph
         self._selection = Selection()
-        self._pointer: Pointer | None = None
         self._solved: Solved | None = None
         #: What attracts the pen besides the drawing.
         self.attraction = Attraction()
         self._marked: tuple[object, Marks] | None = None
         self._rectangle: KnownRectangle | None = None
-        self._tool: Tool = TOOLS["select"](self)
 
     @property
     def graph(self) -> SketchGraph:
@@ -79,13 +72,9 @@ class Drawing:
         return self._committed
 
     def replace_graph(self, graph: SketchGraph) -> None:
-        """Take the document's graph; one that is not ours ends what the tool is doing."""
-        ours = graph == self._committed and self._graph is self._committed
+        """Take the document's graph."""
         self._committed = self._graph = graph
         self.select(self._selection)
-        if not ours:
-            self._tool.graph_replaced()
-        self._listener.changed()
 
     # For tools
 
@@ -182,77 +171,8 @@ class Drawing:
         self._solved = solved
         self._listener.changed()
 
-    @property
-    def tool(self) -> Tool:
-        """The tool at work."""
-        return self._tool
-
-    def use(self, name: str) -> None:
-        """Take another tool; what the old one had begun is finished where that makes sense.
-
-        One that is at work already is told so.
-        """
-        if name == self._tool.NAME:
-            self._tool.again()
-            self._listener.changed()
-            return
-        self._tool.finish()
-        self._tool.cancel()
-        self.select(Selection())
-        self._tool = TOOLS[name](self)
-        if self._pointer is not None:
-            self._tool.move(self._pointer)
-        self._listener.changed()
-
-    @property
-    def preview(self) -> Preview:
-        """What the tool shows."""
-        return self._tool.preview()
-
-    def press(self, pointer: Pointer) -> None:
-        """The left button goes down."""
-        self.move(pointer)
-        self._tool.press(pointer)
-        self._listener.changed()
-
-    def move(self, pointer: Pointer) -> None:
-        """The pointer moves."""
-        self._pointer = pointer
-        before = (self.preview, self._graph)
-        self._tool.move(pointer)
-        # By identity: to compare what two graphs say takes a millisecond.
-        if self.preview != before[0] or self._graph is not before[1]:
-            self._listener.changed()
-
-    def release(self, pointer: Pointer) -> None:
-        """The left button goes up."""
-        self._tool.release(pointer)
-        self._listener.changed()
-
-    def finish(self) -> None:
-        """The right button: done with what was begun."""
-        self._tool.finish()
-        self._listener.changed()
-
-    def enter(self) -> None:
-        """The Enter key: done with what was begun; or change what is selected."""
-        self._tool.enter()
-        self._listener.changed()
-
-    def escape(self) -> None:
-        """Give up what was begun; where nothing was, go back to selecting, then select nothing."""
-        if not self._tool.cancel():
-            if self._tool.NAME != "select":
-                self.use("select")
-            else:
-                self.select(Selection())
-        self._listener.changed()
-
     def delete(self) -> None:
-        """Take away what is selected, or what the tool would take away."""
-        if self._tool.delete():
-            self._listener.changed()
-            return
+        """Take away what is selected."""
         chosen = self._selection
         if chosen and self._graph is self._committed:
             smaller = delete(
@@ -264,12 +184,9 @@ class Drawing:
             )
             self.select(Selection())
             self.commit(smaller, "Delete")
-            # It may have been at work on just that.
-            self._tool.graph_replaced()
 
     def select_all(self) -> None:
-        """Select everything, with the tool for it."""
-        self.use("select")
+        """Select everything."""
         graph = self._graph
         vertices, edges, circles = map(frozenset, (graph.vertices, graph.edges, graph.circles))
         self.select(Selection(vertices, edges, circles=circles))

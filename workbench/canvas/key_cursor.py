@@ -16,8 +16,8 @@ from .stops import everything, place_of
 from .tools.base import Pointer
 
 if TYPE_CHECKING:
-    from .drawing import Drawing
     from .plane import Point
+    from .tool_at_work import ToolAtWork
 
 #: Steps plain, with Shift, and with Ctrl, px of the screen.
 STEP_PX, FAST_PX, FINE_PX = 8, 40, 1
@@ -28,10 +28,10 @@ class KeyCursor:
 
     Parameters
     ----------
-    drawing : Drawing
+    drawing : ToolAtWork
     """
 
-    def __init__(self, drawing: Drawing) -> None:
+    def __init__(self, drawing: ToolAtWork) -> None:
         self._drawing = drawing
         self._stop = -1
         self.place_px: Point | None = None

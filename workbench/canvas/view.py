@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from . import keys, overlay, previews, style, symbols, turning
-from .drawing import Drawing, Listener
+from .drawing import Listener
 from .evident import taken
 from .ghosts import Ghosts
 from .grid_painting import paint_grid, paint_note
@@ -24,6 +24,7 @@ from .scene import Findings, Scene
 from .selection import Selection
 from .still_layer import StillLayer
 from .stops import place_of
+from .tool_at_work import ToolAtWork
 from .tools import KEYS
 from .tools.base import Pointer
 
@@ -96,7 +97,7 @@ class SketchView(PhotoView):
         listener = Listener(
             self.graph_edited.emit, self._refresh, self._ask, self.rectangle_told.emit
         )
-        self._drawing = Drawing(graph, listener)
+        self._drawing = ToolAtWork(graph, listener)
         self._cursor = KeyCursor(self._drawing)
         self._drawing.attraction.patch = self.grey_around
         self._editor = LengthEditor(self.viewport(), self._drawing.answer)

@@ -6,13 +6,12 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from . import style
+from .plaques import paint_words
 from .qt import QtCore, QtGui
 
 if TYPE_CHECKING:
     from .ground_grid import GroundGrid
     from .plane import Point
-
-_Qt = QtCore.Qt
 
 
 def paint_grid(
@@ -33,17 +32,4 @@ def paint_grid(
 
 def paint_note(painter: QtGui.QPainter, area: QtCore.QRect, words: str) -> None:
     """Say something about the grid in the lower left corner."""
-    font = painter.font()
-    font.setPixelSize(style.TEXT_PX)
-    font.setBold(False)
-    painter.setFont(font)
-    size = painter.fontMetrics().size(0, words)
-    plaque = QtCore.QRectF(8, area.height() - size.height() - 12, size.width() + 12, 0)
-    plaque.setHeight(size.height() + 4)
-    fill = QtGui.QColor(style.CASING)
-    fill.setAlpha(style.CASING_ALPHA)
-    painter.setPen(_Qt.NoPen)
-    painter.setBrush(fill)
-    painter.drawRoundedRect(plaque, 3, 3)
-    painter.setPen(QtGui.QColor(style.TEXT))
-    painter.drawText(plaque, _Qt.AlignCenter, words)
+    paint_words(painter, words, (8, area.height() - 8), (6, 2), above=True)

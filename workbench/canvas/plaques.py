@@ -1,4 +1,4 @@
-"""Paints what is said in numbers: sizes on white plaques, parameters beside vertices."""
+"""Paints what is said in words and numbers: on plaques, and beside vertices."""
 
 from __future__ import annotations
 
@@ -57,6 +57,42 @@ def paint_numbers(painter: QtGui.QPainter, scene: Scene) -> None:
         painter.setBrush(QtGui.QColor(style.NUMBER if number else style.NO_NUMBER))
         painter.drawEllipse(badge)
         painter.drawText(badge, _Qt.AlignCenter, str(number))
+
+
+def paint_words(
+    painter: QtGui.QPainter,
+    words: str,
+    place: Point,
+    margin: Point = (4, 1),
+    *,
+    above: bool = False,
+) -> None:
+    """Paint a line of words on a pale plaque, its upper left corner at a place on the screen.
+
+    Parameters
+    ----------
+    painter : QPainter
+    words : str
+    place : (x, y)
+    margin : (x, y)
+        Around the words, px.
+    above : bool
+        Whether the place is the plaque's lower left corner.
+    """
+    font = painter.font()
+    font.setPixelSize(style.TEXT_PX)
+    font.setBold(False)
+    painter.setFont(font)
+    size = painter.fontMetrics().size(0, words)
+    wide, high = size.width() + 2 * margin[0], size.height() + 2 * margin[1]
+    plaque = QtCore.QRectF(place[0], place[1] - (high if above else 0), wide, high)
+    fill = QtGui.QColor(style.CASING)
+    fill.setAlpha(style.CASING_ALPHA)
+    painter.setPen(_Qt.NoPen)
+    painter.setBrush(fill)
+    painter.drawRoundedRect(plaque, 3, 3)
+    painter.setPen(QtGui.QColor(style.TEXT))
+    painter.drawText(plaque, _Qt.AlignCenter, words)
 
 
 def _room(painter: QtGui.QPainter, text: str) -> Point:

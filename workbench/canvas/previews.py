@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from . import style, symbols
 from .overlay import fine, polygon, stroke
 from .plane import middle
+from .plaques import paint_words
 from .qt import QtCore, QtGui
 from .said import symbol_of
 from .scene import Scene
@@ -158,23 +159,7 @@ def _snap(painter: QtGui.QPainter, snap: Snap, work: Work) -> None:
         fine(painter, [tuple(map(work.on_screen, snap.guide))], style.GUIDE)
     stroke(painter, marks.get(snap.kind, []), style.SNAP, style.EDGE_PX)
     if snap.kind is not SnapKind.FREE:
-        _word(painter, work.in_words(snap.kind.value), (x + 1.6 * r, y + 2.4 * r))
-
-
-def _word(painter: QtGui.QPainter, word: str, place: Point) -> None:
-    font = painter.font()
-    font.setPixelSize(style.TEXT_PX)
-    font.setBold(False)
-    painter.setFont(font)
-    size = painter.fontMetrics().size(0, word)
-    plaque = QtCore.QRectF(place[0], place[1], size.width() + 8, size.height() + 2)
-    fill = QtGui.QColor(style.CASING)
-    fill.setAlpha(style.CASING_ALPHA)
-    painter.setPen(_Qt.NoPen)
-    painter.setBrush(fill)
-    painter.drawRoundedRect(plaque, 3, 3)
-    painter.setPen(QtGui.QColor(style.TEXT))
-    painter.drawText(plaque, _Qt.AlignCenter, word)
+        paint_words(painter, work.in_words(snap.kind.value), (x + 1.6 * r, y + 2.4 * r))
 
 
 def paint_invitation(painter: QtGui.QPainter, area: QtCore.QRect, words: str) -> None:

@@ -22,18 +22,17 @@ Everything here follows from annotations alone; the drawing is never asked. The 
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
-from .topology import Chains, Topology, chains
+from .chains import Chains, chains
+from .merging import are_among, each_once, first_members, numbered
+from .named_faces import named_faces
+from .topology import Topology
 from .union_find import UnionFind
 from .values import IntArray
-
-#: So few pairs and members are merged one by one sooner than by a sparse graph.
-FEW = 700
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -54,27 +53,16 @@ class Directions:
     contradiction: bool
 
 
-def first_members(pairs: IntArray, n: int) -> IntArray:
-    """Merge 0 ... n-1 as the pairs (k, 2) say; the smallest member of everyone's set, (n,)."""
-    if len(pairs) + n < FEW:
-        sets = UnionFind(n)
-        for i, j in pairs.tolist():
-            sets.union(i, j)
-        return np.array(sets.labels(), dtype=np.int64)
-    ones = np.ones(len(pairs), dtype=np.int8)
-    graph = coo_array((ones, (pairs[:, 0], pairs[:, 1])), shape=(n, n))
-    _, labels = connected_components(graph, directed=False)
-    _, first, inverse = np.unique(labels, return_index=True, return_inverse=True)
-    return np.asarray(first[inverse.reshape(-1)], dtype=np.int64)
-
-
 class _Relations:
     """Classes that merge while perpendicularities are added: the working state of the rules."""
 
-    def __init__(self, n_edges: int) -> None:
-        self.sets = UnionFind(n_edges)
-        self.perp: dict[int, set[int]] = {i: set() for i in range(n_edges)}
-        self.changed = False
+    def __init__(self, n: int, perpendicular: Iterable[tuple[int, int]]) -> None:
+        self.sets = UnionFind(n)
+        self.perp: dict[int, set[int]] = {i: set() for i in range(n)}
+        self.changed = True
+        for i, j in perpendicular:
+            self.perp[i].add(j)
+            self.perp[j].add(i)
 
     def merge(self, i: int, j: int) -> None:
         i, j = self.sets.find(i), self.sets.find(j)
@@ -109,27 +97,29 @@ def direction_classes(topology: Topology) -> Directions:
     """Reason out the direction classes of a graph's edges."""
     n_edges = len(topology.edges)
     closed = chains(topology)
-    corners = np.sort(topology.right_angles[:, 1:], axis=1)
+    i, j = topology.right_angles[:, 1:].T
+    corners = np.minimum(i, j) * n_edges + np.maximum(i, j)
     parallel = _said_parallel(topology, closed, corners)
     # Most edges are in few classes by now: the rules go on with classes alone.
-    merged = first_members(parallel, n_edges)
-    names, small = np.unique(merged, return_inverse=True)
-    small = small.reshape(-1)
-    relations = _Relations(len(names))
-    for i, j in _each_once(small[corners]):
-        relations.relate(i, j)
-    triangles, quadrilaterals = small[closed.triangles], small[closed.quadrilaterals]
-    faces = [tuple(small[plane].tolist()) for plane in _named_faces(topology)]
-    ground = [tuple(small[edges].tolist()) for edges in _parts_of_the_ground(topology)]
-    relations.changed = True
+    names, small = numbered(first_members(parallel, n_edges), n_edges)
+    square = each_once(small[topology.right_angles[:, 1:]])
+    relations = _Relations(len(names), map(tuple, square.tolist()))
+    # Most chains run through the same few classes and say the same.
+    triangles = each_once(small[closed.triangles])
+    quadrilaterals = each_once(small[closed.quadrilaterals])
+    class_of, named = small.tolist(), named_faces(topology)
+    loops = named.loop_edges() if named is not None else []
+    faces = [tuple([class_of[e] for e in loop]) for loop in loops]
+    ground = [tuple(set(small[edges].tolist())) for edges in _parts_of_the_ground(topology)]
     while relations.changed and not relations.contradiction:
         relations.changed = False
         _close_around_pairs(relations)
-        # Few classes are left: most chains run through the same ones and say the same.
         label = np.array(relations.sets.labels(), dtype=np.int64)
-        flat = [c for c in _each_once(label[quadrilaterals]) if _has_parallel_sides(relations, c)]
+        flat = label[quadrilaterals]
+        flat = flat[(flat[:, 0] == flat[:, 2]) | (flat[:, 1] == flat[:, 3])]
         faces = list(dict.fromkeys(tuple(map(relations.sets.find, plane)) for plane in faces))
-        for plane in [*_each_once(label[triangles]), *faces, *flat]:
+        chained = [*each_once(label[triangles]).tolist(), *each_once(flat).tolist()]
+        for plane in [*map(tuple, chained), *faces]:
             _close_plane(relations, plane)
         _close_ground(relations, ground)
     name = names.tolist()
@@ -145,17 +135,10 @@ def _said_parallel(topology: Topology, closed: Chains, corners: IntArray) -> Int
     n_edges = len(topology.edges)
     pairs = [np.column_stack([np.broadcast_to(p[0], p.shape), p]) for p in topology.parallels]
     around = closed.quadrilaterals
-    neighbours = np.sort(np.stack([around, np.roll(around, 1, axis=1)], axis=-1), axis=-1)
-    known = np.isin(neighbours @ [n_edges, 1], corners @ [n_edges, 1]).all(axis=1)
-    square = around[known]
+    after = around[:, [1, 2, 3, 0]]
+    code = np.minimum(around, after) * n_edges + np.maximum(around, after)
+    square = around[are_among(code, corners, n_edges**2).all(axis=1)]
     return np.vstack([*pairs, square[:, [0, 2]], square[:, [1, 3]]]).astype(np.int64)
-
-
-def _each_once(rows: IntArray) -> list[tuple[int, ...]]:
-    """Different rows; their numbers count edges, of which no sketch has 2^15."""
-    code = rows @ (1 << 15 * np.arange(rows.shape[1], dtype=np.int64))
-    _, first = np.unique(code, return_index=True)
-    return [tuple(row) for row in rows[first].tolist()]
 
 
 def _close_around_pairs(relations: _Relations) -> None:
@@ -240,18 +223,3 @@ def _parts_of_the_ground(topology: Topology) -> list[IntArray]:
     parts = part_of[topology.ends[edges, 0]]
     found = [edges[parts == part] for part in np.unique(parts)]
     return [part for part in found if len(part) >= len(np.unique(topology.ends[part]))]
-
-
-def _named_faces(topology: Topology) -> list[IntArray]:
-    """The edges of each named face's outer loop, in order, where all of them are drawn."""
-    if not topology.faces:
-        return []
-    joined = {}
-    for i, (v, w) in enumerate(topology.ends.tolist()):
-        joined[v, w] = joined[w, v] = i
-    planes = []
-    for face in topology.faces.values():
-        loop = [topology.vertices[v] for v in face.loop]
-        edges = [joined.get((loop[k - 1], loop[k])) for k in range(len(loop))]
-        planes.append(np.array([e for e in edges if e is not None], dtype=np.int64))
-    return planes

@@ -22,10 +22,11 @@ from .camera import Camera
 from .circles import DrawnCircles, drawn_circles
 from .energies import ENERGIES, Linearised
 from .graph import SketchGraph
+from .named_faces import named_faces
 from .sizes import Diameters, proportional_diameters
 from .structure import Structure
 from .topology import MAX_KEPT, Topology, topology_of
-from .values import Array, IntArray, kept
+from .values import Array, BoolArray, IntArray, kept
 
 #: How well people draw: things they imagine, as a part of the drawing's diagonal (1 to 2 %),
 #: and things they trace on the photo, px. Imagined vertices lean together: however many there are,
@@ -218,12 +219,8 @@ class _Relations:
         held = (axis[i] >= 0) & across[j, axis[i]] | (axis[j] >= 0) & across[i, axis[j]]
         for k in np.flatnonzero(~held).tolist():
             corner = [self._from(int(at[k]), int(edge[k])) for edge in (i, j)]
-            yield (
-                "right_angle",
-                corner[0] + corner[1],
-                self.topology.by_kind["right_angle"][k][0],
-                _ONE,
-            )
+            owner = self.topology.annotations[self.topology.right_angle_places[k]]
+            yield ("right_angle", corner[0] + corner[1], owner, _ONE)
 
     def _from(self, vertex: int, edge: int) -> tuple[int, int]:
         v, w = self.topology.ends[edge].tolist()
@@ -260,18 +257,42 @@ def _leftover_planes(
 ) -> Iterator[_Item]:
     """Vertices that have to lie in one plane: faces, what touches them, a slanted ground."""
     grounds = topology.by_kind["ground"] if structure.vertical is None else ()
-    if not graph.faces and not grounds:
+    touching, open_faces = _planes_left_over(topology, structure)
+    if not (touching or open_faces or grounds):
         return
-    planes = _Planes(graph, topology, structure)
-    for id_, a in topology.by_kind["on_face"]:
-        if graph.faces and a.face in graph.faces:
-            yield from planes.of(id_, graph.faces[a.face].loop, [a.vertex])
+    assert graph.faces is not None or grounds
+    planes, faces = _Planes(graph, topology, structure), graph.faces or {}
+    for id_, face, vertex in touching:
+        yield from planes.of(id_, faces[face].loop, [vertex])
     if grounds:
         vertices = list(dict.fromkeys(v for _, a in grounds for v in a.vertices))
         yield from planes.of(grounds[0][0], tuple(vertices), vertices)
-    for id_, face in (graph.faces or {}).items():
-        rest = [v for loop in face.loops for v in loop]
-        yield from planes.of(id_, face.loop, rest)
+    for id_ in open_faces:
+        yield from planes.of(id_, faces[id_].loop, [v for loop in faces[id_].holes for v in loop])
+
+
+@lru_cache(maxsize=MAX_KEPT)
+def _planes_left_over(
+    topology: Topology, structure: Structure
+) -> tuple[tuple[tuple[str, str, str], ...], tuple[str, ...]]:
+    """What touches a face, and the faces, that share no coordinate: (annotation, face, vertex)."""
+    faces = named_faces(topology)
+    if faces is None:
+        return (), ()
+    coordinate, names = structure.coordinate, tuple(topology.vertices)
+    flat, base = faces.shared(coordinate), coordinate[faces.loops[faces.first]]
+
+    def apart(rows: IntArray) -> BoolArray:
+        face, vertex = rows.T
+        return ~(flat[face] & (coordinate[vertex] == base[face])).any(axis=1)
+
+    loose = np.flatnonzero(apart(faces.touching)).tolist()
+    face, vertex = faces.touching.T.tolist()
+    touching = ((faces.touching_ids[k], faces.ids[face[k]], names[vertex[k]]) for k in loose)
+    slanted = ~flat.any(axis=1)
+    # A hole may be held along another axis than the loop around it.
+    slanted[faces.holes[:, 0]] = True
+    return tuple(touching), tuple(faces.ids[k] for k in np.flatnonzero(slanted).tolist())
 
 
 class _Planes:

@@ -27,7 +27,7 @@ def annotation_residuals(
     Right angles and parallels in degrees, all else in mm; for groups the largest deviation.
     A vertex on a face that is not there has none.
     """
-    plan = _plan(topology_of(graph), graph.annotations)
+    plan = _plan(topology_of(graph))
     # Mirrored copies come behind the sketch's own vertices.
     X = rows_of(vertices_mm)[: len(graph.vertices)]
     values = plan.measure(X)
@@ -57,7 +57,7 @@ class _Groups:
         sizes = [len(items) for _, items in found]
         return cls(
             np.array([place for place, _ in found], dtype=np.int64),
-            indices(index, chain.from_iterable(items for _, items in found)),
+            indices(index, [*chain.from_iterable(items for _, items in found)]),
             (np.cumsum([0, *sizes[:-1]])[: len(found)]).astype(np.int64),
         )
 
@@ -115,33 +115,31 @@ class _Plan:
 
 
 @kept
-def _plan(topology: Topology, annotations: Mapping[str, Annotation]) -> _Plan:
+def _plan(topology: Topology) -> _Plan:
     edges, vertices, ends = topology.edges, topology.vertices, topology.ends
-    order = {kind: k for k, kind in enumerate(ANNOTATIONS)}
-    of_kind = np.array(list(map(order.__getitem__, topology.kinds)), dtype=np.int64)
-    places = {kind: np.flatnonzero(of_kind == k) for kind, k in order.items()}
-    # Of right angles, the most by far, the topology knows all numbers.
     said = {
-        kind: list(zip(at.tolist(), (a for _, a in topology.by_kind[kind]), strict=True))
-        for kind, at in places.items()
-        if kind != RightAngle.kind
+        kind: [*zip(at, (a for _, a in topology.by_kind[kind]), strict=True)]
+        for kind, at in topology.places.items()
     }
-    units = {kind: annotation.unit for kind, annotation in ANNOTATIONS.items()}
+    units = [RightAngle.unit] * len(topology.annotations)
+    for kind, at in topology.places.items():
+        for place in at:
+            units[place] = ANNOTATIONS[kind].unit
     # The sum of an edge's ends less the one is the other.
-    at = topology.right_angles[:, :1]
-    far = ends.sum(axis=1)[topology.right_angles[:, 1:]] - at
+    corners = topology.right_angles[:, :1]
+    far = ends.sum(axis=1)[topology.right_angles[:, 1:]] - corners
     lengths = [a for _, a in said["length"]]
     return _Plan(
-        ids=tuple(annotations),
-        units=tuple(map(units.__getitem__, topology.kinds)),
+        ids=topology.annotations,
+        units=tuple(units),
         ends=ends,
-        corner_places=places[RightAngle.kind],
-        corners=np.hstack([at, far]),
+        corner_places=topology.right_angle_places,
+        corners=np.hstack([corners, far]),
         parallels=_Groups.of(edges, [(k, a.edges) for k, a in said["parallel"]]),
         equals=_Groups.of(edges, [(k, a.edges) for k, a in said["equal_length"]]),
         ground=_Groups.of(vertices, [(k, a.vertices) for k, a in said["ground"]]),
-        length_places=places["length"],
-        length_edges=indices(edges, (a.edge for a in lengths)),
+        length_places=np.array(topology.places["length"], dtype=np.int64),
+        length_edges=indices(edges, [a.edge for a in lengths]),
         lengths_mm=np.array([a.length_mm for a in lengths], dtype=float),
         on_faces=tuple(said["on_face"]),
         others=(*said["diameter"], *said["symmetry_plane"]),

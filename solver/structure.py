@@ -24,10 +24,11 @@ from functools import lru_cache
 import numpy as np
 
 from .annotations import Annotation
-from .directions import Directions, direction_classes, first_members
+from .directions import Directions, direction_classes
 from .graph import Revolution, SketchGraph
+from .merging import first_members, numbered
+from .named_faces import NamedFaces, named_faces
 from .topology import MAX_KEPT, Topology, topology_of, topology_with
-from .union_find import UnionFind
 from .values import Array, BoolArray, IntArray
 
 
@@ -229,10 +230,10 @@ def _share_coordinates(
             on_axis = [3 * circle[c] for c in (r.ground, r.bottom, r.top)]
             pairs += [_chain([i + k for i in on_axis]) for k in {0, 1, 2} - {vertical}]
     shared = first_members(np.vstack(pairs), 3 * n_points)
-    if topology.faces:
-        shared = _share_in_faces(topology, edge_axis, shared)
-    _, coordinate = np.unique(shared, return_inverse=True)
-    return coordinate.reshape(n_points, 3).astype(np.int64)
+    faces = named_faces(topology)
+    if faces is not None:
+        shared = _share_in_faces(faces, edge_axis, shared)
+    return numbered(shared, 3 * n_points)[1].reshape(n_points, 3)
 
 
 def _turned(topology: Topology) -> list[Revolution]:
@@ -244,33 +245,23 @@ def _chain(members: list[int]) -> IntArray:
     return np.array([members[:-1], members[1:]], dtype=np.int64).T.reshape(-1, 2)
 
 
-def _share_in_faces(topology: Topology, edge_axis: IntArray, shared: IntArray) -> IntArray:
+def _share_in_faces(faces: NamedFaces, edge_axis: IntArray, shared: IntArray) -> IntArray:
     """A named face that is square to an axis ties that coordinate for all that lies in it."""
-    touching: dict[str, list[str]] = {}
-    for _, annotation in topology.by_kind["on_face"]:
-        touching.setdefault(annotation.face, []).append(annotation.vertex)
-    ends = zip(topology.ends.tolist(), edge_axis.tolist(), strict=True)
-    axis_between = {frozenset(pair): k for pair, k in ends}
-    sets = UnionFind(len(shared))
-    for i, name in enumerate(shared.tolist()):
-        sets.union(i, name)
-    for id_, face in (topology.faces or {}).items():
-        loop = [topology.vertices[v] for v in face.loop]
-        others = [v for hole in face.holes for v in hole] + touching.get(id_, [])
-        in_plane = loop + [topology.vertices[v] for v in others]
-        for k in _square_axes(loop, sets, axis_between):
-            for i in in_plane[1:]:
-                sets.union(3 * in_plane[0] + k, 3 * i + k)
-    return np.array(sets.labels(), dtype=np.int64)
-
-
-def _square_axes(
-    loop: list[int], sets: UnionFind, axis_between: dict[frozenset[int], int]
-) -> list[int]:
-    """The axes to which a planar face is square: edges along the two others, or shared already."""
-    along = {axis_between.get(frozenset((loop[k - 1], loop[k])), -1) for k in range(len(loop))}
-    shared = [k for k in range(3) if len({sets.find(3 * i + k) for i in loop}) == 1]
-    return [k for k in range(3) if k in shared or {0, 1, 2} - {k} <= along]
+    axis = np.where(faces.edges >= 0, edge_axis[faces.edges], -1)
+    runs = np.logical_or.reduceat(axis[:, None] == np.arange(3), faces.first)
+    # Edges along the two other axes.
+    across = runs[:, [1, 2, 0]] & runs[:, [2, 0, 1]]
+    base = 3 * faces.loops[faces.first]
+    inside = np.column_stack([faces.face, faces.loops]), faces.holes, faces.touching
+    face, vertex = np.vstack(inside).T
+    while True:
+        square = across | faces.shared(shared.reshape(-1, 3))
+        at, k = np.nonzero(square[face])
+        pairs = np.column_stack([shared[base[face[at]] + k], shared[3 * vertex[at] + k]])
+        if (pairs[:, 0] == pairs[:, 1]).all():
+            return shared
+        # What is tied may make other faces square.
+        shared = first_members(pairs, len(shared))[shared]
 
 
 def _edges_by_coordinates(

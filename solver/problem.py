@@ -284,12 +284,13 @@ def _planes_left_over(
 
     def apart(rows: IntArray) -> BoolArray:
         face, vertex = rows.T
-        return ~(flat[face] & (coordinate[vertex] == base[face])).any(axis=1)
+        together = flat[face] & (coordinate[vertex] == base[face])
+        return np.asarray(~together.any(axis=1))
 
     loose = np.flatnonzero(apart(faces.touching)).tolist()
     face, vertex = faces.touching.T.tolist()
     touching = ((faces.touching_ids[k], faces.ids[face[k]], names[vertex[k]]) for k in loose)
-    slanted = ~flat.any(axis=1)
+    slanted = np.asarray(~flat.any(axis=1))
     # A hole may be held along another axis than the loop around it.
     slanted[faces.holes[:, 0]] = True
     return tuple(touching), tuple(faces.ids[k] for k in np.flatnonzero(slanted).tolist())

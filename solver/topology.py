@@ -117,7 +117,7 @@ def topology_with(graph: SketchGraph, annotations: Mapping[str, Annotation]) -> 
     )
     ids, said = tuple(annotations), [*annotations.values()]
     square = [isinstance(a, RightAngle) for a in said]
-    corners = [*compress(said, square)]
+    corners: list[Any] = [*compress(said, square)]
     is_square = np.frombuffer(bytes(square), dtype=bool)
     by_kind: dict[str, list[tuple[str, Any]]] = {k: [] for k in ANNOTATIONS if k != RightAngle.kind}
     places: dict[str, list[int]] = {kind: [] for kind in by_kind}

@@ -20,7 +20,7 @@ import numpy as np
 
 from .annotations import ANNOTATIONS, Annotation, RightAngle
 from .graph import Face, Revolution, SketchGraph
-from .values import IntArray, kept
+from .values import IntArray, forget_by, kept
 
 #: Topologies that are remembered: a few sketches, each with some edits.
 MAX_KEPT = 16
@@ -90,15 +90,10 @@ def topology_of(graph: SketchGraph) -> Topology:
     return topology
 
 
-def forget_topologies() -> None:
-    """Begin anew, as for sketches never seen: what measures a solve from nothing needs this."""
-    with _lock:
-        _kept.clear()
-
-
 _Key = tuple[Any, ...]
 _kept: list[tuple[_Key, Topology]] = []
 _lock = Lock()
+forget_by(_kept.clear)
 
 
 def _same(known: _Key, key: _Key) -> bool:

@@ -102,7 +102,22 @@ def kept(make: Callable[..., V]) -> Callable[..., V]:
     def keeping(*values: Any) -> V:
         return result(_Same(values))
 
+    forget_by(result.cache_clear)
     return keeping
+
+
+def forget_kept() -> None:
+    """Begin anew, as for values never seen: what measures a solve from nothing needs this."""
+    for forget in _forgetting:
+        forget()
+
+
+def forget_by(forget: Callable[[], object]) -> None:
+    """Have something called when all that is kept is to be forgotten."""
+    _forgetting.append(forget)
+
+
+_forgetting: list[Callable[[], object]] = []
 
 
 class _Same:

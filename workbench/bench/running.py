@@ -11,7 +11,7 @@ import numpy as np
 from ...solver import solve
 from ...solver.reference import METHODS
 from ...solver.synthetic import Photograph, Shape, box, photograph
-from ...solver.topology import forget_topologies
+from ...solver.values import forget_kept
 from . import solvespace
 from .options import Options
 
@@ -107,7 +107,7 @@ def _methods(options: Options, n: int) -> Iterator[tuple[str, Method, int]]:
 
 def _ours(photo: Photograph) -> Outcome:
     # From nothing, the structure of the annotations included.
-    forget_topologies()
+    forget_kept()
     began = time.process_time()
     solution = solve(photo.graph)
     ms = (time.process_time() - began) * 1e3

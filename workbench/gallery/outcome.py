@@ -22,8 +22,7 @@ from ...solver.annotations import Ground, RightAngle
 from ...solver.graph import SketchGraph
 from ...solver.model import Model, build_model
 from ...solver.solution import Solution
-from ...solver.topology import forget_topologies
-from ...solver.values import Array
+from ...solver.values import Array, forget_kept
 from ..examples import Example
 from ..fabrication.meshes import Mesh, mesh_of
 from ..fabrication.plates import Joined, joined_plates
@@ -72,7 +71,7 @@ def solved(example: Example) -> tuple[SketchGraph, Solution, float]:
     """The sketch, its solution, and the processor's time, ms, from nothing."""
     graph = load_sketch(example.sketch_path)
     solve(graph)  # everything is imported before the clock runs
-    forget_topologies()
+    forget_kept()
     began = time.process_time()
     solution = solve(graph)
     return graph, solution, (time.process_time() - began) * 1e3

@@ -50,6 +50,41 @@ def test_everything_follows_the_plates(drawn, shelf, document):
     assert widths == [plate.size_mm[0] for plate in plates_of(shelf[2])]
 
 
+def edges_of(view):
+    """Ends of the view's edges, mm on the plate."""
+    return [[v.Point / view.Scale for v in edge.Vertexes] for edge in view.getVisibleEdges()]
+
+
+def test_a_size_drawn_by_hand_stays_on_its_border(drawn, shelf, document):
+    """Where another size means another number of fingers."""
+    page, flat = drawn
+    views = {v.Source[0]: v for v in page.Views if v.TypeId == "TechDraw::DrawViewPart"}
+    drawn_by_hand = []
+    for obj in flat:
+        lengths = [(b - a).Length for a, b in edges_of(views[obj])]
+        longest = max(range(len(lengths)), key=lengths.__getitem__)
+        if lengths[longest] < 100:
+            continue
+        size = document.addObject("TechDraw::DrawViewDimension", "Size")
+        size.Type, size.References2D = "Distance", [(views[obj], f"Edge{longest}")]
+        page.addView(size)
+        drawn_by_hand.append((obj, size, len(lengths), longest))
+    document.recompute()
+    assert len(drawn_by_hand) >= 3
+    before = [size.getRawValue() for _, size, *_ in drawn_by_hand]
+    driving = [n for n in shelf[1].PropertiesList if shelf[1].getGroupOfProperty(n) == "Dimensions"]
+    setattr(shelf[1], driving[0], 1.6 * getattr(shelf[1], driving[0]).Value)
+    document.recompute()
+    wait_for(lambda: views_are_ready(page))
+    document.recompute()
+    for (obj, size, count, _), value in zip(drawn_by_hand, before, strict=True):
+        edges = edges_of(views[obj])
+        assert len(edges) > count
+        longest = max((b - a).Length for a, b in edges)
+        assert size.getRawValue() == pytest.approx(longest, abs=1e-3), obj.PlateId
+        assert size.getRawValue() > 1.3 * value
+
+
 def test_the_drawing_is_one_step_to_undo(drawn, document):
     document.undo()
     assert [obj.Name for obj in document.Objects] == ["PhotoSketch", "LiftedModel", "PlateSet"]

@@ -20,6 +20,7 @@ class FlatPlate(Proxy):
     PROPERTIES = (
         Property("App::PropertyLink", "PlateSet", "Flat plate", "The plates that it is one of"),
         Property("App::PropertyString", "PlateId", "Flat plate", "Which of them"),
+        Property("App::PropertyStringList", "PlateIds", "Result", "Its id", editor=Editor.HIDDEN),
         *OUTCOME,
         *(
             Property(
@@ -48,9 +49,10 @@ class FlatPlate(Proxy):
             words = host.translate("InContext", "there is no plate {0} any more")
             fail(obj, "not_made", words.format(obj.PlateId))
             return
-        from .shapes import flat_plate_solid
+        from .references import show_plates
+        from .shapes import flat_plate_solid, straight_sides_first
 
-        obj.Shape = flat_plate_solid(plate)
+        show_plates(obj, straight_sides_first(flat_plate_solid(plate), plate), [plate.id])
         width, height = plate.size_mm
         sizes = {"PlateWidth": width, "PlateHeight": height, "PlateThickness": plate.thickness_mm}
         for name, size in sizes.items():

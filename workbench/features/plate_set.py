@@ -151,6 +151,13 @@ class PlateSet(PresetProxy):
             "How many plates there are",
             editor=Editor.READ_ONLY,
         ),
+        Property(
+            "App::PropertyStringList",
+            "PlateIds",
+            "Result",
+            "Which plate each of the solids is",
+            editor=Editor.HIDDEN,
+        ),
     )
 
     def execute(self, obj: Any) -> None:
@@ -175,12 +182,13 @@ class PlateSet(PresetProxy):
 
 
 def _show(obj: Any, joined: Joined) -> None:
+    from .references import show_plates
     from .shapes import plates_shape
 
     plates, steps, locked = _put_together(joined, exploded=obj.Exploded)
     words = [host.translate("InContext", "{} plates").format(len(plates)), *joined.notes]
     _set_lines(obj, "Assembly", steps)
-    obj.Shape = plates_shape(plates)
+    show_plates(obj, plates_shape(plates), [plate.id for plate in plates])
     obj.PlateCount = len(plates)
     set_outcome(obj, "made", "; ".join([*words, *locked]))
 

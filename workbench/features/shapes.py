@@ -6,6 +6,7 @@ exactly, and no shape has to cross over from another one.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
@@ -64,6 +65,41 @@ def flat_plate_solid(plate: Plate) -> Any:
     # A plate's holes are wound against its outline: nothing need be sorted out, 50 times faster.
     face = Part.Face(_wires(points))
     return face.extrude(FreeCAD.Vector(0, 0, float(plate.thickness_mm)))
+
+
+def straight_sides_first(solid: Any, plate: Plate) -> Any:
+    """A flat plate whose straight sides come first, then its two faces, then the fingers.
+
+    So edges and faces that are there whatever the number of fingers keep their numbers, also in
+    views of a technical drawing.
+    """
+    hull = itertools.pairwise(plate.polygon.convex_hull.exterior.coords)
+    # The middle finger of a side has the middle of the side: the length is asked for as well.
+    straight = {_place([a, b]) for a, b in hull if _is_long(a, b, plate.size_mm)}
+    ranks = [
+        1
+        if len(face.Vertexes) != 4 or abs(face.normalAt(0, 0).z) > 0.5
+        else 0
+        if _place([v.Point for v in face.Vertexes]) in straight
+        else 2
+        for face in solid.Faces
+    ]
+    if ranks == sorted(ranks):
+        return solid
+    faces = [solid.Faces[k] for k in sorted(range(len(ranks)), key=ranks.__getitem__)]
+    return Part.Solid(Part.Shell(faces))
+
+
+def _is_long(a: Any, b: Any, size: tuple[float, float]) -> bool:
+    """At least half as long as the plate in that direction: no finger beside a cut off corner."""
+    across, up = abs(b[0] - a[0]), abs(b[1] - a[1])
+    return 2 * (across**2 + up**2) > across * size[0] + up * size[1]
+
+
+def _place(points: list[Any]) -> tuple[float, ...]:
+    """The box around points as seen from above."""
+    across, up = [p[0] for p in points], [p[1] for p in points]
+    return tuple(round(x, 4) for x in (min(across), max(across), min(up), max(up)))
 
 
 def bodies_shape(bodies: Iterable[Manifold]) -> Any:

@@ -29,7 +29,7 @@ _NAMES = """
     Label Sketch Undo Redo Perspective Separator Pixmap Accel Checkable Restore Width Depth Height
     Dimensions Model Result Side Joints Play Kerf Cutting Preset Sheets Margin Spacing Grain Files
     Exploded Fit Assembly Status Message Wall Proxy Shell Solid Printer Tolerance Bed Object Hidden
-    Custom Vertex Vertexes Edge Edges Face Faces
+    Base Custom Vertex Vertexes Edge Edges Face Faces
     Marker Check Checked Things Fits Stands Standing Overlap Support Visibility Plays
 """
 NAMES = {*_NAMES.split(), "Method", "Shown dimensions", "Shown dimensions: angles"}

@@ -56,7 +56,11 @@ def add_camera(commands: Any) -> None:
         help="the rectangle's four corners in the upright photo, px, in any order; without them "
         "the printed marker is looked for (needs opencv-python-headless)",
     )
-    add("--exactly", action="store_true", help="take the corners as they are told")
+    add(
+        "--exactly",
+        action="store_true",
+        help="take the corners as they are told, and nothing of what is drawn",
+    )
     add("--focal", metavar="PX", type=float, help="focal length (else from EXIF, else found)")
     add(
         "--middle",
@@ -104,6 +108,7 @@ def _marker(arguments: argparse.Namespace) -> int:
 def _camera(arguments: argparse.Namespace) -> int:
     from ..solver.errors import SketchError
     from ..solver.files import write_files
+    from ..solver.refining import refined_camera
     from ..solver.serialise import sketch_to_text
     from .marker_finding import camera_of_corners, seen_corners
 
@@ -121,14 +126,19 @@ def _camera(arguments: argparse.Namespace) -> int:
             "pip install opencv-python-headless, or tell the four --corners",
         ) from error
     found = camera_of_corners(photo, seen, arguments.size)
-    graph = replace(graph, photo=photo, camera=found.view.camera)
+    graph = replace(graph, photo=photo)
+    refined = None if arguments.exactly else refined_camera(graph, found.view)
+    graph = replace(graph, camera=refined or found.view.camera)
     output = arguments.output or (None if is_photo else arguments.input)
     if output is None:
         print(_camera_text(graph))
     else:
         write_files({output: sketch_to_text(graph).encode()})
     # What is printed may be read by a program: words go beside it.
-    for line in camera_words(found, photo):
+    words = camera_words(found, photo)
+    if refined is not None:
+        words.append(f"together with the drawing: {refined.focal_px:.0f} px focal length")
+    for line in words:
         print(line, file=sys.stderr if output is None else sys.stdout)
     return 0
 

@@ -28,6 +28,10 @@
         <translation>Ein Objektiv von {0:.0f} mm (Kleinbild), {1:.0f} mm über dem Boden; Höhen stimmen auf {2:.1f} %.</translation>
     </message>
     <message>
+        <source>A photo that was not cropped looks towards its middle.</source>
+        <translation>Ein Foto, das nicht beschnitten ist, blickt auf seine Mitte.</translation>
+    </message>
+    <message>
         <source>A print whose wall lies outside what is drawn</source>
         <translation>Ein Druck, dessen Wand außerhalb der Zeichnung liegt</translation>
     </message>
@@ -84,8 +88,20 @@
         <translation>Quader</translation>
     </message>
     <message>
+        <source>By the traced lines</source>
+        <translation>Nach den nachgezeichneten Linien</translation>
+    </message>
+    <message>
         <source>Camera from a rectangle</source>
         <translation>Kamera aus einem Rechteck</translation>
+    </message>
+    <message>
+        <source>Camera of the photo</source>
+        <translation>Kamera des Fotos</translation>
+    </message>
+    <message>
+        <source>Camera of the photo...</source>
+        <translation>Kamera des Fotos...</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -532,6 +548,10 @@
         <translation>Flache Platten</translation>
     </message>
     <message>
+        <source>Focal length</source>
+        <translation>Brennweite</translation>
+    </message>
+    <message>
         <source>Folder</source>
         <translation>Ordner</translation>
     </message>
@@ -654,6 +674,14 @@
     <message>
         <source>It is</source>
         <translation>Es ist</translation>
+    </message>
+    <message>
+        <source>It looked towards</source>
+        <translation>Blickte auf</translation>
+    </message>
+    <message>
+        <source>Its id</source>
+        <translation>Ihre Kennung</translation>
     </message>
     <message>
         <source>Its sizes are unsure: mark more, give a length, or trace something real in the photo.</source>
@@ -948,6 +976,10 @@
         <translation>Fotoskizze</translation>
     </message>
     <message>
+        <source>Photo's middle</source>
+        <translation>Mitte des Fotos</translation>
+    </message>
+    <message>
         <source>Photos</source>
         <translation>Fotos</translation>
     </message>
@@ -1000,6 +1032,18 @@
         <translation>Rechteck</translation>
     </message>
     <message>
+        <source>Rectangle and drawing do not agree: check both.</source>
+        <translation>Rechteck und Zeichnung passen nicht zusammen: bitte beide prüfen.</translation>
+    </message>
+    <message>
+        <source>Refine by the drawing</source>
+        <translation>Mit der Zeichnung verfeinern</translation>
+    </message>
+    <message>
+        <source>Refine camera</source>
+        <translation>Kamera verfeinern</translation>
+    </message>
+    <message>
         <source>Remove on face</source>
         <translation>Lage auf Fläche entfernen</translation>
     </message>
@@ -1026,6 +1070,14 @@
     <message>
         <source>Room for a round cutter in corners that look inwards; a laser needs none</source>
         <translation>Platz für einen runden Fräser in Innenecken; ein Laser braucht keinen</translation>
+    </message>
+    <message>
+        <source>Say where the middle of the whole photo was; or trace a box in the photo (key B, then X), and its lines tell it.</source>
+        <translation>Bitte sagen, wo die Mitte des ganzen Fotos war; oder einen Quader im Foto nachzeichnen (Taste B, dann X): seine Linien sagen es.</translation>
+    </message>
+    <message>
+        <source>See and say what is known of the camera: its focal length, and in a cropped photo where it looked</source>
+        <translation>Sehen und sagen, was von der Kamera bekannt ist: ihre Brennweite, und bei einem beschnittenen Foto, wohin sie blickte</translation>
     </message>
     <message>
         <source>Seen from straight above, heights are hardly to be told: take the photo from lower down.</source>
@@ -1236,6 +1288,10 @@
         <translation>Die Zeichnung verrät die Brennweite nicht: eine übliche wird angenommen.</translation>
     </message>
     <message>
+        <source>The focal length was {0:.1f} mm and is {1:.1f} mm.</source>
+        <translation>Die Brennweite war {0:.1f} mm und ist {1:.1f} mm.</translation>
+    </message>
+    <message>
         <source>The given lengths put the camera {} mm ({} %) off its known height: check the length, the camera, and what stands on the ground.</source>
         <translation>Die angegebenen Längen versetzen die Kamera um {} mm ({} %) gegenüber ihrer bekannten Höhe: bitte Länge, Kamera und was am Boden steht prüfen.</translation>
     </message>
@@ -1280,6 +1336,10 @@
         <translation>Das Rechteck ist zu sehr von oben zu sehen, um die Brennweite zu verraten; sie stimmt nur auf {} %: das Foto von weiter unten machen oder seine EXIF-Daten behalten.</translation>
     </message>
     <message>
+        <source>The rectangle tells {0:.0f} mm.</source>
+        <translation>Das Rechteck sagt {0:.0f} mm.</translation>
+    </message>
+    <message>
         <source>The sketch has no edges: draw the object's edges over the photo.</source>
         <translation>Die Skizze hat keine Kanten: bitte die Kanten des Objekts über das Foto zeichnen.</translation>
     </message>
@@ -1296,8 +1356,12 @@
         <translation>Die nachgezeichneten Linien biegen sich um höchstens {:.1f} px: es gibt nichts zu begradigen.</translation>
     </message>
     <message>
-        <source>The traced lines meet as in a cropped photo: it was taken towards {} px, not {} px: use the whole photo.</source>
-        <translation>Die nachgezeichneten Linien treffen sich wie in einem beschnittenen Foto: es zielte auf {} px, nicht auf {} px: das ganze Foto verwenden.</translation>
+        <source>The traced lines meet as in a cropped photo: it was taken towards {} px, not {} px: say so in the photo's camera, or use the whole photo.</source>
+        <translation>Die nachgezeichneten Linien treffen sich wie in einem beschnittenen Foto: es blickt auf {} px, nicht auf {} px: das bei der Kamera des Fotos sagen, oder das ganze Foto nehmen.</translation>
+    </message>
+    <message>
+        <source>The traced lines say: towards {0:.0f}, {1:.0f} px, good to {2:.0f} px.</source>
+        <translation>Die nachgezeichneten Linien sagen: auf {0:.0f}, {1:.0f} px, auf {2:.0f} px genau.</translation>
     </message>
     <message>
         <source>The traced lines {} are too nearly parallel in the photo to tell where they meet: trace others further apart, or use a marker.</source>
@@ -1305,7 +1369,7 @@
     </message>
     <message>
         <source>There is no photo: choose one first.</source>
-        <translation>Es gibt kein Foto: zuerst eines wählen.</translation>
+        <translation>Es gibt kein Foto: bitte zuerst eines wählen.</translation>
     </message>
     <message>
         <source>Thickness</source>
@@ -1328,6 +1392,14 @@
 They are put into FreeCAD's own folder, and may take some minutes and up to 2 GB.</source>
         <translation>Dafür fehlen Python-Pakete: {}.
 Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu 2 GB brauchen.</translation>
+    </message>
+    <message>
+        <source>This photo seems cropped: no camera takes photos of {0} x {1} px.</source>
+        <translation>Dieses Foto scheint beschnitten: keine Kamera macht Fotos von {0} x {1} px.</translation>
+    </message>
+    <message>
+        <source>This photo seems cropped: the camera wrote {0} x {1} px, {2} x {3} px are left.</source>
+        <translation>Dieses Foto scheint beschnitten: die Kamera schrieb {0} x {1} px, {2} x {3} px sind übrig.</translation>
     </message>
     <message>
         <source>Tile the PDF on A4, A3 or letter pages</source>
@@ -1420,6 +1492,10 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
     <message>
         <source>Which of them</source>
         <translation>Welche davon</translation>
+    </message>
+    <message>
+        <source>Which plate each of the solids is</source>
+        <translation>Welche Platte jeder der Körper ist</translation>
     </message>
     <message>
         <source>Width</source>
@@ -1662,6 +1738,10 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>die Flächen in der Skizze aufführen</translation>
     </message>
     <message>
+        <source>mm (35 mm equivalent)</source>
+        <translation>mm (Kleinbild)</translation>
+    </message>
+    <message>
         <source>more than two outer faces meet in these edges</source>
         <translation>mehr als zwei Außenflächen treffen sich in diesen Kanten</translation>
     </message>
@@ -1692,6 +1772,10 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
     <message>
         <source>no {} joint can be made where {}</source>
         <translation>es lässt sich keine Verbindung „{}“ herstellen, wo {}</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>unbekannt</translation>
     </message>
     <message>
         <source>nothing is left of the walls</source>
@@ -1732,6 +1816,14 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
     <message>
         <source>plates or a shelled solid</source>
         <translation>Platten oder einen Hohlkörper</translation>
+    </message>
+    <message>
+        <source>px down</source>
+        <translation>px unten</translation>
+    </message>
+    <message>
+        <source>px right,</source>
+        <translation>px rechts,</translation>
     </message>
     <message>
         <source>revolution {} is not solved</source>
@@ -1944,6 +2036,10 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
     <message>
         <source>{0} traced lines, the worst ({1}) {2:.1f} px off.</source>
         <translation>{0} nachgezeichnete Linien, die schlechteste ({1}) {2:.1f} px daneben.</translation>
+    </message>
+    <message>
+        <source>{0}: an edge or face of {1} that it was built on is gone: choose another</source>
+        <translation>{0}: eine Kante oder Fläche von {1}, auf der es beruhte, gibt es nicht mehr: bitte eine andere wählen</translation>
     </message>
     <message>
         <source>{0}: edge {1}, from {2} to {3}</source>

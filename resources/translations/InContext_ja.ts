@@ -28,6 +28,10 @@
         <translation>焦点距離 {0:.0f} mm（35 mm 換算）、地面から {1:.0f} mm。高さの精度は {2:.1f} % です。</translation>
     </message>
     <message>
+        <source>A photo that was not cropped looks towards its middle.</source>
+        <translation>切り抜かれていない写真は、その中央を向いています。</translation>
+    </message>
+    <message>
         <source>A print whose wall lies outside what is drawn</source>
         <translation>描いた形の外側に壁がつく3Dプリント</translation>
     </message>
@@ -84,8 +88,20 @@
         <translation>箱</translation>
     </message>
     <message>
+        <source>By the traced lines</source>
+        <translation>なぞった線から</translation>
+    </message>
+    <message>
         <source>Camera from a rectangle</source>
         <translation>長方形からカメラを求める</translation>
+    </message>
+    <message>
+        <source>Camera of the photo</source>
+        <translation>写真のカメラ</translation>
+    </message>
+    <message>
+        <source>Camera of the photo...</source>
+        <translation>写真のカメラ...</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -532,6 +548,10 @@
         <translation>平らな板</translation>
     </message>
     <message>
+        <source>Focal length</source>
+        <translation>焦点距離</translation>
+    </message>
+    <message>
         <source>Folder</source>
         <translation>フォルダー</translation>
     </message>
@@ -654,6 +674,14 @@
     <message>
         <source>It is</source>
         <translation>種類</translation>
+    </message>
+    <message>
+        <source>It looked towards</source>
+        <translation>向いていた点</translation>
+    </message>
+    <message>
+        <source>Its id</source>
+        <translation>その ID</translation>
     </message>
     <message>
         <source>Its sizes are unsure: mark more, give a length, or trace something real in the photo.</source>
@@ -948,6 +976,10 @@
         <translation>写真スケッチ</translation>
     </message>
     <message>
+        <source>Photo's middle</source>
+        <translation>写真の中央</translation>
+    </message>
+    <message>
         <source>Photos</source>
         <translation>写真</translation>
     </message>
@@ -1000,6 +1032,18 @@
         <translation>長方形</translation>
     </message>
     <message>
+        <source>Rectangle and drawing do not agree: check both.</source>
+        <translation>長方形と図が合いません。両方を確かめてください。</translation>
+    </message>
+    <message>
+        <source>Refine by the drawing</source>
+        <translation>図で精度を上げる</translation>
+    </message>
+    <message>
+        <source>Refine camera</source>
+        <translation>カメラの精度を上げる</translation>
+    </message>
+    <message>
         <source>Remove on face</source>
         <translation>面上の指定を解除</translation>
     </message>
@@ -1026,6 +1070,14 @@
     <message>
         <source>Room for a round cutter in corners that look inwards; a laser needs none</source>
         <translation>内側の角に丸い刃のための逃げ。レーザーには不要</translation>
+    </message>
+    <message>
+        <source>Say where the middle of the whole photo was; or trace a box in the photo (key B, then X), and its lines tell it.</source>
+        <translation>元の写真の中央がどこだったかを入力してください。または写真の箱をなぞる（B キー、次に X）と、その線から分かります。</translation>
+    </message>
+    <message>
+        <source>See and say what is known of the camera: its focal length, and in a cropped photo where it looked</source>
+        <translation>カメラについて分かっていることを見て、入力します。焦点距離と、切り抜いた写真では向いていた点です</translation>
     </message>
     <message>
         <source>Seen from straight above, heights are hardly to be told: take the photo from lower down.</source>
@@ -1236,6 +1288,10 @@
         <translation>線画からは焦点距離が分からないため、一般的な値を仮定しました。</translation>
     </message>
     <message>
+        <source>The focal length was {0:.1f} mm and is {1:.1f} mm.</source>
+        <translation>焦点距離は {0:.1f} mm から {1:.1f} mm になりました。</translation>
+    </message>
+    <message>
         <source>The given lengths put the camera {} mm ({} %) off its known height: check the length, the camera, and what stands on the ground.</source>
         <translation>指定した長さによると、カメラは既知の高さから {} mm ({} %) ずれます。長さ、カメラ、地面にあるものを確かめてください。</translation>
     </message>
@@ -1280,6 +1336,10 @@
         <translation>長方形がほぼ真上から写っているため焦点距離が決まりません（精度 {} %）。もっと低い位置から撮るか、EXIF データを残してください。</translation>
     </message>
     <message>
+        <source>The rectangle tells {0:.0f} mm.</source>
+        <translation>長方形によると {0:.0f} mm です。</translation>
+    </message>
+    <message>
         <source>The sketch has no edges: draw the object's edges over the photo.</source>
         <translation>スケッチに辺がありません。写真の上に物の辺を描いてください。</translation>
     </message>
@@ -1296,8 +1356,12 @@
         <translation>なぞった線の曲がりは最大 {:.1f} px です。補正は必要ありません。</translation>
     </message>
     <message>
-        <source>The traced lines meet as in a cropped photo: it was taken towards {} px, not {} px: use the whole photo.</source>
-        <translation>なぞった線の交わり方は、切り抜かれた写真のものです。視線の中心は {} px で、{} px ではありません。元の写真を使ってください。</translation>
+        <source>The traced lines meet as in a cropped photo: it was taken towards {} px, not {} px: say so in the photo's camera, or use the whole photo.</source>
+        <translation>なぞった線は切り抜いた写真のように交わります。{} px を向いており、{} px ではありません。写真のカメラで入力するか、切り抜く前の写真を使ってください。</translation>
+    </message>
+    <message>
+        <source>The traced lines say: towards {0:.0f}, {1:.0f} px, good to {2:.0f} px.</source>
+        <translation>なぞった線によると {0:.0f}, {1:.0f} px を向いています（誤差 {2:.0f} px）。</translation>
     </message>
     <message>
         <source>The traced lines {} are too nearly parallel in the photo to tell where they meet: trace others further apart, or use a marker.</source>
@@ -1328,6 +1392,14 @@
 They are put into FreeCAD's own folder, and may take some minutes and up to 2 GB.</source>
         <translation>必要な Python パッケージがありません: {}。
 FreeCAD のフォルダーに入れます。数分と最大 2 GB かかることがあります。</translation>
+    </message>
+    <message>
+        <source>This photo seems cropped: no camera takes photos of {0} x {1} px.</source>
+        <translation>この写真は切り抜かれているようです。{0} x {1} px の写真を撮るカメラはありません。</translation>
+    </message>
+    <message>
+        <source>This photo seems cropped: the camera wrote {0} x {1} px, {2} x {3} px are left.</source>
+        <translation>この写真は切り抜かれているようです。カメラは {0} x {1} px を記録し、残りは {2} x {3} px です。</translation>
     </message>
     <message>
         <source>Tile the PDF on A4, A3 or letter pages</source>
@@ -1420,6 +1492,10 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
     <message>
         <source>Which of them</source>
         <translation>そのうちのどれか</translation>
+    </message>
+    <message>
+        <source>Which plate each of the solids is</source>
+        <translation>それぞれの立体がどの板か</translation>
     </message>
     <message>
         <source>Width</source>
@@ -1662,6 +1738,10 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>スケッチに面を列挙する</translation>
     </message>
     <message>
+        <source>mm (35 mm equivalent)</source>
+        <translation>mm（35 mm 換算）</translation>
+    </message>
+    <message>
         <source>more than two outer faces meet in these edges</source>
         <translation>これらの辺に3枚以上の外側の面が集まっています</translation>
     </message>
@@ -1692,6 +1772,10 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
     <message>
         <source>no {} joint can be made where {}</source>
         <translation>{} の継手はここでは作れません ({})</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>不明</translation>
     </message>
     <message>
         <source>nothing is left of the walls</source>
@@ -1732,6 +1816,14 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
     <message>
         <source>plates or a shelled solid</source>
         <translation>板またはシェル立体</translation>
+    </message>
+    <message>
+        <source>px down</source>
+        <translation>px 下</translation>
+    </message>
+    <message>
+        <source>px right,</source>
+        <translation>px 右、</translation>
     </message>
     <message>
         <source>revolution {} is not solved</source>
@@ -1944,6 +2036,10 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
     <message>
         <source>{0} traced lines, the worst ({1}) {2:.1f} px off.</source>
         <translation>なぞった線 {0} 本、最大のずれは {1} の {2:.1f} px です。</translation>
+    </message>
+    <message>
+        <source>{0}: an edge or face of {1} that it was built on is gone: choose another</source>
+        <translation>{0}: 基にしていた {1} の辺または面がなくなりました。別のものを選んでください</translation>
     </message>
     <message>
         <source>{0}: edge {1}, from {2} to {3}</source>

@@ -27,7 +27,7 @@ from ..graph import SketchGraph
 from ..problem import TRACED_SIGMA_PX
 from ..solution import Solution
 from ..values import Array
-from .cropping import view_middle
+from .cropping import ViewMiddle, view_middle
 
 #: Directions in space this near to each other (sine) are one.
 SAME_DIRECTION = 1e-6
@@ -111,17 +111,9 @@ def traced_lines(graph: SketchGraph, solution: Solution) -> Traced:
     Traced
     """
     camera = solution.camera
-    edges = [e for e in graph.construction if e in graph.edges and e in solution.edges]
-    if camera is None or not edges:
+    edges, drawn, along = _traced(graph, solution)
+    if camera is None or not len(drawn):
         return Traced({}, (), ())
-    ends = [graph.edges[e] for e in edges]
-    X = np.array([[solution.vertices_mm[v] for v in pair] for pair in ends])
-    drawn = np.array([[graph.vertices[v] for v in pair] for pair in ends])
-    long = np.linalg.norm(drawn[:, 1] - drawn[:, 0], axis=1) > TRACED_SIGMA_PX
-    edges = [e for e, is_long in zip(edges, long.tolist(), strict=True) if is_long]
-    X, drawn = X[long], drawn[long]
-    along = X[:, 1] - X[:, 0]
-    along = along / np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-300)
     V = along @ camera.rotation_cam_from_world.T
     numbers = _bundles_of(along)
     N, sigma = _planes(drawn, V, camera)
@@ -162,8 +154,32 @@ def _of_cropping(
     (u, v), (x, y) = found.principal_px.round(), taken.round()
     return (
         f"The traced lines meet as in a cropped photo: it was taken towards {u:.0f}, {v:.0f} px, "
-        f"not {x:.0f}, {y:.0f} px: use the whole photo.",
+        f"not {x:.0f}, {y:.0f} px: say so in the photo's camera, or use the whole photo.",
     )
+
+
+def traced_middle(graph: SketchGraph, solution: Solution) -> ViewMiddle | None:
+    """Where the axis of view meets the photo, as the traced lines tell it.
+
+    None where they do not: no three directions square to each other with two lines each.
+    """
+    _, drawn, along = _traced(graph, solution)
+    if solution.camera is None or not len(drawn):
+        return None
+    return view_middle(drawn, along, _bundles_of(along), solution.camera)
+
+
+def _traced(graph: SketchGraph, solution: Solution) -> tuple[list[str], Array, Array]:
+    """Traced lines: ids, ends in the photo (k, 2, 2), directions in space (k, 3)."""
+    edges = [e for e in graph.construction if e in graph.edges and e in solution.edges]
+    ends = [graph.edges[e] for e in edges]
+    X = np.array([[solution.vertices_mm[v] for v in pair] for pair in ends]).reshape(-1, 2, 3)
+    drawn = np.array([[graph.vertices[v] for v in pair] for pair in ends]).reshape(-1, 2, 2)
+    long = np.linalg.norm(drawn[:, 1] - drawn[:, 0], axis=1) > TRACED_SIGMA_PX
+    edges = [e for e, is_long in zip(edges, long.tolist(), strict=True) if is_long]
+    along = X[long, 1] - X[long, 0]
+    along = along / np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-300)
+    return edges, drawn[long], along
 
 
 def _bundles_of(along: Array) -> list[int]:

@@ -17,6 +17,7 @@ from .make_shell import MakeShell
 from .new_sketch import NewSketch
 from .open_example import OpenExample
 from .paste_photo import PastePhoto
+from .photo_camera import PhotoCamera
 from .print_marker import PrintMarker
 from .replace_photo import ReplacePhoto
 from .straighten_photo import StraightenPhoto
@@ -29,6 +30,7 @@ COMMANDS: tuple[type[Command], ...] = (
     OpenExample,
     EditSketch,
     ReplacePhoto,
+    PhotoCamera,
     StraightenPhoto,
     PrintMarker,
     ViewThroughPhoto,

@@ -39,7 +39,7 @@ _ALIKE = 0.999
 _DIGITS = 4
 
 #: The new number of an element by its kind and old number; None where it is gone.
-Renumber = Callable[[str, int], "int | None"]
+Renumber = Callable[[str, int], int | None]
 Point = tuple[float, float, float]
 
 

@@ -90,8 +90,16 @@ class CameraFinding:
         dialog.open()
 
     def _write(self, found: Found, size_mm: tuple[float, float]) -> None:
-        """Write the camera and what told it, and show the ground."""
-        graph = replace(pipeline.graph_of(self._obj.Sketch), camera=found.view.camera)
+        """Write the camera and what told it, and show the ground.
+
+        What is drawn already has its say: a small rectangle alone tells the focal length badly.
+        """
+        from ...solver.refining import refined_camera
+
+        graph = pipeline.graph_of(self._obj.Sketch)
+        with busy():
+            camera = refined_camera(graph, found.view) or found.view.camera
+        graph = replace(graph, camera=camera)
         set_camera(self._obj, graph, marker_text(found.view.corners_px.tolist(), size_mm))
         if not self._view.attraction.grid_shown:
             self._view.toggle_grid()

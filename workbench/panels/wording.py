@@ -67,8 +67,8 @@ SENTENCES = (
     "No faces were looked for: {}.",
     "No such face was found: {}.",
     "If {} and {} are square at {}, saying so would help most.",
-    "The traced lines meet as in a cropped photo: it was taken towards {} px, not {} px: use the "
-    "whole photo.",
+    "The traced lines meet as in a cropped photo: it was taken towards {} px, not {} px: say "
+    "so in the photo's camera, or use the whole photo.",
 )
 #: The words between the last two ids of a list.
 JOINTS = ("and", "or")

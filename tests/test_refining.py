@@ -11,8 +11,8 @@ from rectangles import corners_mm
 from incontext.solver import load_sketch, solve
 from incontext.solver.camera import Camera
 from incontext.solver.graph import SketchGraph
-from incontext.solver.marker import camera_from_rectangle
-from incontext.solver.refining import refined_camera
+from incontext.solver.perspective.marker import camera_from_rectangle
+from incontext.solver.perspective.refining import refined_camera
 from incontext.workbench.examples import load_example
 from incontext.workbench.gallery.table import comparisons
 

@@ -108,7 +108,7 @@ def _marker(arguments: argparse.Namespace) -> int:
 def _camera(arguments: argparse.Namespace) -> int:
     from ..solver.errors import SketchError
     from ..solver.files import write_files
-    from ..solver.refining import refined_camera
+    from ..solver.perspective.refining import refined_camera
     from ..solver.serialise import sketch_to_text
     from .marker_finding import camera_of_corners, seen_corners
 

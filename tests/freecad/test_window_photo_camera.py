@@ -11,7 +11,7 @@ from PySide import QtGui
 
 from incontext.solver.camera import Camera
 from incontext.solver.graph import SketchGraph
-from incontext.solver.marker import camera_from_rectangle
+from incontext.solver.perspective.marker import camera_from_rectangle
 from incontext.solver.serialise import sketch_to_text
 from incontext.solver.synthetic import bookshelf, photograph_exactly
 from incontext.tests.freecad.hands import pump

@@ -19,8 +19,8 @@ from . import pipeline
 from .known_rectangle import marker_text, rectangle_of
 
 if TYPE_CHECKING:
-    from ...solver.cropping import ViewMiddle
     from ...solver.graph import Photo, Point, SketchGraph
+    from ...solver.perspective.cropping import ViewMiddle
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +75,7 @@ def cropping_words(obj: Any, graph: SketchGraph) -> str:
 
 def middle_by_lines(obj: Any, graph: SketchGraph) -> ViewMiddle | None:
     """The middle of view as the traced lines tell it; None where they do not."""
-    from ...solver.vanishing_points import traced_middle
+    from ...solver.perspective.vanishing_points import traced_middle
 
     solution = pipeline.solution_of(obj.Sketch)
     if graph.camera is not None or solution.status.value != "converged":
@@ -123,7 +123,7 @@ def _seen_again(graph: SketchGraph, marker: str) -> tuple[SketchGraph, str]:
 
 def rectangle_view(graph: SketchGraph, told: tuple[tuple[Point, ...], Point]) -> Any:
     """The camera by corners that the photo has put right already; raises SketchError."""
-    from ...solver.marker import camera_from_rectangle
+    from ...solver.perspective.marker import camera_from_rectangle
     from ..marker_finding import LEAST_SIGMA_PX
 
     corners, size_mm = told
@@ -145,7 +145,7 @@ def refine_camera(obj: Any) -> bool:
     SketchError
         Where the rectangle cannot be seen so.
     """
-    from ...solver.refining import refined_camera
+    from ...solver.perspective.refining import refined_camera
     from ...solver.serialise import sketch_to_text
 
     graph, told = pipeline.graph_of(obj.Sketch), rectangle_of(obj.Marker)

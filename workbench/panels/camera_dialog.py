@@ -16,7 +16,7 @@ from .asking import shown
 from .messages import busy, tell
 
 if TYPE_CHECKING:
-    from ...solver.cropping import ViewMiddle
+    from ...solver.perspective.cropping import ViewMiddle
 
 _DIGITS = 1
 

@@ -94,7 +94,7 @@ class CameraFinding:
 
         What is drawn already has its say: a small rectangle alone tells the focal length badly.
         """
-        from ...solver.refining import refined_camera
+        from ...solver.perspective.refining import refined_camera
 
         graph = pipeline.graph_of(self._obj.Sketch)
         with busy():

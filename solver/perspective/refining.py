@@ -11,12 +11,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from .annotations import Annotation, Ground, Length, RightAngle
-from .camera import Camera
-from .graph import SketchGraph
+from ..annotations import Annotation, Ground, Length, RightAngle
+from ..camera import Camera
+from ..graph import SketchGraph
+from ..solution import Status
+from ..two_step import solve
 from .marker import RectangleView
-from .solution import Status
-from .two_step import solve
 
 #: Between the parts of names that no sketch has.
 _OWN = "rectangle"

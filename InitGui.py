@@ -12,8 +12,11 @@ class InContextWorkbench(FreeCADGui.Workbench):
 
     def __init__(self):
         from incontext.workbench import host
+        from incontext.workbench.panels.working import work
 
         host.load_translations()
+        # A document is recomputed whatever the workbench at work.
+        host.set_worker(work)
         cls = self.__class__
         cls.MenuText = "Modeling in Context"
         cls.ToolTip = host.translate(
@@ -30,9 +33,7 @@ class InContextWorkbench(FreeCADGui.Workbench):
         from incontext.workbench.commands.open_example import register_examples
         from incontext.workbench.commands.tools import register_tools
         from incontext.workbench.panels.preset_page import PresetPage
-        from incontext.workbench.panels.working import work
 
-        host.set_worker(work)
         names, tools = register_commands(), register_tools()
         ours = host.translate("InContext", "Modeling in &Context")
         examples = host.translate("InContext", "E&xamples")

@@ -13,7 +13,7 @@ class StoppedError(Exception):
     """A person did not wait for it."""
 
     def __str__(self) -> str:
-        return host.translate("InContext", "stopped; recompute the lifted model to begin again")
+        return host.translate("InContext", "stopped; recompute it to begin again")
 
 
 def known_problems() -> tuple[type[Exception], ...]:

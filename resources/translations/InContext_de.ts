@@ -1866,8 +1866,8 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>die Skizze noch einmal lösen</translation>
     </message>
     <message>
-        <source>stopped; recompute the lifted model to begin again</source>
-        <translation>angehalten; um neu zu beginnen, bitte das gehobene Modell neu berechnen</translation>
+        <source>stopped; recompute it to begin again</source>
+        <translation>angehalten; neu berechnen, um neu zu beginnen</translation>
     </message>
     <message>
         <source>the Python package {0} is missing; install it with FreeCAD's Addon Manager, or with: {1} -m pip install --target {2} {0}</source>

@@ -1866,8 +1866,8 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>スケッチをもう一度解く</translation>
     </message>
     <message>
-        <source>stopped; recompute the lifted model to begin again</source>
-        <translation>停止しました。もう一度始めるには起こしたモデルを再計算してください</translation>
+        <source>stopped; recompute it to begin again</source>
+        <translation>停止しました。再計算するともう一度始まります</translation>
     </message>
     <message>
         <source>the Python package {0} is missing; install it with FreeCAD's Addon Manager, or with: {1} -m pip install --target {2} {0}</source>

@@ -65,11 +65,11 @@ def test_thickness_solves_nothing_again(shelf, document):
 
 def test_kerf_changes_no_solid(shelf, document):
     _, _, plates = shelf
-    volume, made = plates.Shape.Volume, pipeline.joined_of.cache_info().misses
+    volume, made = plates.Shape.Volume, pipeline._joined.cache_info().misses
     plates.Kerf = 0.2
     document.recompute()
     assert plates.Shape.Volume == volume
-    assert pipeline.joined_of.cache_info().misses == made
+    assert pipeline._joined.cache_info().misses == made
 
 
 def test_failed_solve_keeps_the_last_shape_and_says_why(shelf, document):

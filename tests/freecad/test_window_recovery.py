@@ -1,7 +1,6 @@
 """What was committed when FreeCAD is killed is offered at its next start, whole."""
 
 import json
-import time
 import zipfile
 from pathlib import Path
 
@@ -78,36 +77,72 @@ def test_copy_follows_each_step_undo_and_the_model(copy, shelf, document):
     assert document.FileName == ""
 
 
+@pytest.fixture
+def done(monkeypatch):
+    """What the keeper does: a word each time, with its outcome where it patches."""
+    done = []
+    keeping, patching = recovery.keeping, recovery.patching
+
+    def noting_keep(document):
+        done.append("kept")
+        return keeping(document)
+
+    def noting_patch(document):
+        patch = patching(document)
+        return lambda: done.append(patch()) or done[-1]
+
+    monkeypatch.setattr(recovery, "keeping", noting_keep)
+    monkeypatch.setattr(recovery, "patching", noting_patch)
+    return done
+
+
 def test_slow_document_is_patched_at_once_and_written_when_the_hand_rests(
-    copy, shelf, document, monkeypatch
+    copy, shelf, document, monkeypatch, done
 ):
     monkeypatch.setattr(recovery, "PATIENCE_S", 0.0)
     monkeypatch.setattr(recovery, "REST_MS", 300)
-    recovery.keep(document)
-    written, patched = [], []
-    keep, patch = recovery.keep, recovery.patch
-    monkeypatch.setattr(recovery, "keep", lambda d: (written.append(time.monotonic()), keep(d)))
-    monkeypatch.setattr(recovery, "patch", lambda d: patched.append(patch(d)) or patched[-1])
+    recovery.keeping(document)()
+    done.clear()
     text = json.dumps({**json.loads(shelf[0].Sketch), "construction": ["e0"]})
     shelf[0].Sketch = text
-    wait_until(lambda: patched)
-    assert (patched, written) == ([True], [])
+    wait_until(lambda: done)
+    assert done == [True]
     assert has_sketch(copy, text)
     names = zipfile.ZipFile(copy).namelist()
     assert names[0] == "Document.xml"
     assert "shelf.jpg" in names
-    wait_until(lambda: written)
+    wait_until(lambda: done == [True, "kept"])
+    pump(0.3)
     FreeCAD.closeDocument(FreeCAD.openDocument(str(copy)).Name)
     document.recompute()
+
+
+def test_a_large_photo_is_put_in_by_a_thread(copy, shelf, document, monkeypatch):
+    monkeypatch.setattr(recovery, "LARGE_BYTES", 100)
+    photo = Path(shelf[0].Photo)
+    before = photo.read_bytes()
+    finish = recovery.keeping(document)
+    assert photo.read_bytes() == before
+    assert sorted(photo.parent.glob("shelf*")) == [photo]
+    written = photo.parent / recovery._PART
+    with zipfile.ZipFile(written) as archive:
+        assert len(archive.read("shelf.jpg")) < 100
+    assert finish() is None
+    assert not written.exists()
+    with zipfile.ZipFile(copy) as archive:
+        assert archive.read("shelf.jpg") == before
+    opened = FreeCAD.openDocument(str(copy))
+    assert Path(opened.PhotoSketch.Photo).read_bytes() == before
+    FreeCAD.closeDocument(opened.Name)
 
 
 def test_nothing_is_kept_where_a_person_wants_no_recovery(shelf, document, window):
     preferences = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Document")
     preferences.SetBool("RecoveryEnabled", False)
-    recovery.keep(document)
+    assert recovery.keeping(document)() is None
     preferences.SetBool("RecoveryEnabled", True)
     assert not (Path(document.TransientDir) / recovery.COPY).exists()
-    assert not recovery.patch(document)
+    assert not recovery.patching(document)()
 
 
 def test_a_patch_puts_in_any_text_and_only_in_its_place():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from pathlib import Path
 
 from .qt import QtCore, QtGui
@@ -12,6 +13,8 @@ PHOTO_FORMATS = ("BMP", "GIF", "HEIC", "JPEG", "PNG", "TIFF", "WEBP")
 LARGE_PX = 16_000_000
 #: Larger ones are refused before memory is taken for them: 200 megapixels are 800 MB.
 MAX_PX = 200_000_000
+#: Held while a photo is opened, by whichever thread, and by whoever moves it away for a moment.
+FILES = threading.Lock()
 
 
 class PhotoError(ValueError):
@@ -71,7 +74,12 @@ def photo_size(path: str | Path) -> tuple[int, int]:
 
 
 def _reader(path: str | Path) -> QtGui.QImageReader:
-    reader = QtGui.QImageReader(str(path))
+    file = QtCore.QFile(str(path))
+    with FILES:
+        is_open = file.open(QtCore.QIODevice.ReadOnly)
+    reader = QtGui.QImageReader(file) if is_open else QtGui.QImageReader(str(path))
+    # The reader does not keep it.
+    reader.file = file
     reader.setAutoTransform(True)
     reader.setDecideFormatFromContent(True)
     if hasattr(reader, "setAllocationLimit"):

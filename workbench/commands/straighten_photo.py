@@ -27,15 +27,14 @@ class StraightenPhoto(Command):
     def run(self) -> None:
         """See the class."""
         from ..features.pipeline import graph_of
-        from ..panels.messages import busy, mention
+        from ..panels.messages import mention
         from ..panels.straightening import lens_of_object, straighten
 
         sketch = chosen(is_photo_sketch, "a photo sketch")
-        with busy():
-            lens = lens_of_object(sketch, graph_of(sketch.Sketch))
-            if lens is not None and lens.distorts:
-                straighten(sketch, lens)
-                return
+        lens = lens_of_object(sketch, graph_of(sketch.Sketch))
+        if lens is not None and lens.distorts:
+            straighten(sketch, lens)
+            return
         if lens is None:
             raise CommandError(
                 host.translate(

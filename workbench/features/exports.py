@@ -14,9 +14,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .. import host
+from . import pipeline
 from .plate_set import joined_of, settings_of, shop_settings_of
 
 if TYPE_CHECKING:
+    from ..fabrication.plates import Joined
+    from ..fabrication.settings import PlateSettings
     from ..fabrication.sheets import Sheet
 
 PLATE_FORMATS = (".dxf", ".svg", ".pdf", ".step", ".plates.json", ".parts.csv")
@@ -30,13 +33,18 @@ def sheets_of(plate_set: Any) -> tuple[Sheet, ...]:
     ------
     SketchError, FabricationError
         Where there are no plates, or they fit on no sheet.
+    StoppedError
+        Where a person did not wait for it.
     """
+    words = host.translate("InContext", "Laying the plates out on sheets ...")
+    return pipeline.in_sight(words, _laid_out, joined_of(plate_set), settings_of(plate_set))
+
+
+def _laid_out(joined: Joined, settings: PlateSettings) -> tuple[Sheet, ...]:
     from ..fabrication.marks import edge_marks
     from ..fabrication.sheets import lay_out
 
-    joined = joined_of(plate_set)
-    marks = edge_marks(joined.plates, joined.joints)
-    return lay_out(joined.plates, settings_of(plate_set), marks)
+    return lay_out(joined.plates, settings, edge_marks(joined.plates, joined.joints))
 
 
 def usual_formats(plate_set: Any) -> tuple[str, ...]:
@@ -60,15 +68,20 @@ def plate_file(plate_set: Any, sheets: Sequence[Sheet], ending: str) -> bytes:
 
     shop, plates = shop_settings_of(plate_set), joined_of(plate_set).plates
     preset = load_preset(shop.preset)
+    if ending == ".step":
+        return _step_bytes(plates)
     make: dict[str, Callable[[], bytes]] = {
         ".dxf": lambda: dxf_bytes(sheets, preset),
         ".svg": lambda: svg_bytes(sheets, preset),
         ".pdf": lambda: pdf_bytes(sheets, preset, shop.page),
-        ".step": lambda: _step_bytes(plates),
         ".plates.json": lambda: plates_json_bytes(plates),
         ".parts.csv": lambda: parts_csv_bytes(parts_list(plates, sheets, shop)),
     }
-    return make[ending]()
+    return pipeline.in_sight(_writing(ending), make[ending])
+
+
+def _writing(ending: str) -> str:
+    return host.translate("InContext", "Writing the {} file ...").format(ending[1:].upper())
 
 
 def export_plates(
@@ -154,17 +167,19 @@ def export_print(
 
 def print_file(shelled_solid: Any, name: str, ending: str) -> bytes:
     """One file of a shelled solid, whatever its format."""
-    from . import pipeline
     from .dimensions import driven_text
     from .shelled_solid import settings_of as shell_settings_of
 
     settings = shell_settings_of(shelled_solid)
-    text = driven_text(shelled_solid.LiftedModel)
-    with host.own_packages_first():
+    solid, mesh = pipeline.printed_of(driven_text(shelled_solid.LiftedModel), settings)
+
+    def make() -> bytes:
         from ..fabrication.meshes import stl_bytes, threemf_bytes
         from ..fabrication.solids import shape_step_bytes
 
-        solid, mesh = pipeline.printed_of(text, settings)
-        if ending == ".step":
-            return shape_step_bytes(solid, name)
-        return stl_bytes(mesh) if ending == ".stl" else threemf_bytes(mesh, name)
+        with host.own_packages_first():
+            if ending == ".step":
+                return shape_step_bytes(solid, name)
+            return stl_bytes(mesh) if ending == ".stl" else threemf_bytes(mesh, name)
+
+    return pipeline.in_sight(_writing(ending), make)

@@ -142,18 +142,19 @@ def _show(obj: Any, check: Check) -> None:
 
 
 def check_of(made: Any) -> Check:
-    """The check of plates or a shelled solid; raises SketchError or FabricationError."""
+    """The check of plates or a shelled solid; raises as `pipeline.joined_of` does."""
     from ..checked import plates_check, print_check
 
+    words = host.translate("InContext", "Checking the fit ...")
     text = driven_text(made.LiftedModel)
     graph, solution = pipeline.graph_of(text), pipeline.solution_of(text)
     if is_plate_set(made):
         joined = joined_of(made)
         model = pipeline.model_of(text, settings_of(made).thickness_mm)
-        return plates_check(joined, model, graph, solution)
+        return pipeline.in_sight(words, plates_check, joined, model, graph, solution)
     model = pipeline.model_of(text, made.Wall.Value)
-    mesh = _mesh_of(made.Shape, made.Tolerance.Value)
-    return print_check(mesh, model, graph, solution, made.LeastWall.Value)
+    mesh, line_mm = _mesh_of(made.Shape, made.Tolerance.Value), made.LeastWall.Value
+    return pipeline.in_sight(words, print_check, mesh, model, graph, solution, line_mm)
 
 
 def _mesh_of(shape: Any, deflection_mm: float) -> Mesh:

@@ -1,5 +1,8 @@
 """From a sketch's text to its graph, solution and plates: pure functions, remembered.
 
+What takes long is worked out on the side, while a window shows that it is being done; whoever asks
+waits for it all the same, so that a recompute leaves everything as it should be.
+
 Nothing is kept on document objects that follows from the sketch. So undo, copies and reopened
 documents cannot disagree with it, and a change of the kerf solves nothing again. The solver is
 imported on first use: opening FreeCAD must not wait for it.
@@ -9,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from .. import host
 from ..problems import StoppedError
@@ -26,6 +29,7 @@ if TYPE_CHECKING:
     from ..fabrication.plates import Joined, Plate
     from ..fabrication.settings import PlateSettings, ShellSettings
 
+T = TypeVar("T")
 #: How many results of each kind are remembered: enough for undoing and redoing a while.
 REMEMBERED = 32
 
@@ -70,12 +74,31 @@ def solution_of(source: str) -> Solution:
     if source not in _solutions:
         method, _ = parts_of(source)
         graph = graph_of(source)
-        solution = lift(graph) if method is None else lift_slowly(graph, method)
+        solution = _lift_in_sight(graph) if method is None else lift_slowly(graph, method)
         if solution is None:
             _stopped.add(source)
             raise StoppedError
         remember_solution(source, solution)
     return _solutions[source]
+
+
+def _lift_in_sight(graph: SketchGraph) -> Solution | None:
+    words = host.translate("InContext", "Lifting the sketch to 3D ...")
+    return host.work(words, lambda stop, progress: lift(graph, stop))
+
+
+def in_sight(words: str, make: Callable[..., T], *arguments: Any) -> T:
+    """What a pure function gives: worked out before a person's eyes where that takes long.
+
+    Raises
+    ------
+    StoppedError
+        Where a person did not wait for it.
+    """
+    made = host.work(words, lambda stop, progress: make(*arguments))
+    if made is None:
+        raise StoppedError
+    return made
 
 
 def forget_stop(source: str) -> None:
@@ -136,10 +159,22 @@ def model_of(sketch_text: str, thickness_mm: float) -> Model:
     return build_model(solution_of(sketch_text), thickness_mm, revolutions)
 
 
-@lru_cache(maxsize=REMEMBERED)
 def joined_of(sketch_text: str, settings: PlateSettings) -> Joined:
-    """The plates of a sketch and their joints; raises SketchError or FabricationError."""
+    """The plates of a sketch and their joints.
+
+    Raises
+    ------
+    SketchError, FabricationError
+        Where there are none.
+    StoppedError
+        Where a person did not wait for them.
+    """
     model = model_of(sketch_text, settings.thickness_mm)
+    return in_sight(host.translate("InContext", "Making the plates ..."), _joined, model, settings)
+
+
+@lru_cache(maxsize=REMEMBERED)
+def _joined(model: Model, settings: PlateSettings) -> Joined:
     with host.own_packages_first():
         from ..fabrication import joined_plates
 
@@ -147,23 +182,30 @@ def joined_of(sketch_text: str, settings: PlateSettings) -> Joined:
 
 
 def plates_of(sketch_text: str, settings: PlateSettings) -> tuple[Plate, ...]:
-    """The plates of a sketch; raises SketchError or FabricationError."""
+    """The plates of a sketch; raises as `joined_of` does."""
     return joined_of(sketch_text, settings).plates
 
 
-@lru_cache(maxsize=REMEMBERED)
 def steps_of(joined: Joined) -> tuple[Step, ...]:
     """The order in which plates go together; raises LockedError where there is none."""
+    words = host.translate("InContext", "Looking how the plates go together ...")
+    return in_sight(words, _steps, joined)
+
+
+@lru_cache(maxsize=REMEMBERED)
+def _steps(joined: Joined) -> tuple[Step, ...]:
     from ..fabrication.assembly import assembly_steps
 
     return assembly_steps(joined.plates)
 
 
-@lru_cache(maxsize=2)
 def printed_of(sketch_text: str, settings: ShellSettings) -> tuple[Any, Mesh]:
-    """The hollow solid of a sketch and its mesh; raises SketchError or FabricationError."""
-    # The thickness of the faces is for plates: the shell has walls of one thickness.
-    model = model_of(sketch_text, settings.wall_mm)
+    """The hollow solid of a sketch and its mesh; raises as `joined_of` does."""
+    return in_sight(_shell_words(), _printed, _walled(sketch_text, settings), settings)
+
+
+@lru_cache(maxsize=2)
+def _printed(model: Model, settings: ShellSettings) -> tuple[Any, Mesh]:
     with host.own_packages_first():
         from ..fabrication import shell_solid
         from ..fabrication.meshes import mesh_of
@@ -172,14 +214,25 @@ def printed_of(sketch_text: str, settings: ShellSettings) -> tuple[Any, Mesh]:
         return solid, mesh_of(solid, settings.tolerance_mm)
 
 
-@lru_cache(maxsize=REMEMBERED)
 def shell_of(sketch_text: str, settings: ShellSettings) -> str:
-    """The hollow solid of a sketch as BREP text; raises SketchError or FabricationError."""
+    """The hollow solid of a sketch as BREP text; raises as `joined_of` does."""
+    return in_sight(_shell_words(), _shell, _walled(sketch_text, settings), settings)
+
+
+@lru_cache(maxsize=REMEMBERED)
+def _shell(model: Model, settings: ShellSettings) -> str:
     from .brep_bridge import brep_text
 
-    # The thickness of the faces is for plates: the shell has walls of one thickness.
-    model = model_of(sketch_text, settings.wall_mm)
     with host.own_packages_first():
         from ..fabrication import shell_solid
 
         return brep_text(shell_solid(model, settings))
+
+
+def _walled(sketch_text: str, settings: ShellSettings) -> Model:
+    # The thickness of the faces is for plates: the shell has walls of one thickness.
+    return model_of(sketch_text, settings.wall_mm)
+
+
+def _shell_words() -> str:
+    return host.translate("InContext", "Making the solid; the first time takes some seconds ...")

@@ -12,7 +12,7 @@ from ..canvas.questions import KnownRectangle
 from ..features import pipeline
 from ..features.known_rectangle import marker_text, rectangle_of, set_camera
 from ..problems import in_words, known_problems
-from .messages import busy, tell
+from .messages import tell
 from .photo_pixels import grey_photo
 
 if TYPE_CHECKING:
@@ -62,18 +62,21 @@ class CameraFinding:
             tell(in_words(error))
 
     def _seen(self, photo: Photo, told: KnownRectangle | None) -> SeenCorners | None:
-        """The corners as the photo shows them; None where OpenCV was not wanted."""
+        """The corners in the photo; None where a person wanted no OpenCV, or did not wait."""
         from ..marker_finding import seen_corners
         from .installing import offer_to_install
 
-        corners = None if told is None else told.corners_px
+        corners, path = None if told is None else told.corners_px, self._obj.Photo
+        words = host.translate("InContext", "Looking for the corners in the photo ...")
+
+        def look(stop: host.Stop, progress: host.Progress) -> SeenCorners:
+            return seen_corners(photo, grey_photo(path, photo), corners)
+
         try:
-            with busy():
-                grey = grey_photo(self._obj.Photo, photo)
-                return seen_corners(photo, grey, corners)
+            return host.work(words, look)
         except ModuleNotFoundError as error:
             missing = error
-        return seen_corners(photo, grey, corners) if offer_to_install(missing) else None
+        return host.work(words, look) if offer_to_install(missing) else None
 
     def _settle(self, photo: Photo, seen: SeenCorners, told: KnownRectangle | None) -> None:
         """Write the camera; where the size is not known, ask for it first."""

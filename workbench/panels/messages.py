@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
-
 import FreeCADGui
 
 from .. import host
-from ..canvas.qt import QtCore, QtGui
+from ..canvas.qt import QtGui
 from .wording import in_language
 
 
@@ -27,13 +24,3 @@ def mention(words: str) -> None:
     QtGui.QMessageBox.information(
         FreeCADGui.getMainWindow(), host.translate("InContext", "Modeling in Context"), words
     )
-
-
-@contextmanager
-def busy() -> Iterator[None]:
-    """Show a waiting pointer meanwhile."""
-    QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
-    try:
-        yield
-    finally:
-        QtGui.QApplication.restoreOverrideCursor()

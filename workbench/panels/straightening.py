@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,6 +16,7 @@ from ..canvas.qt import QtCore
 from ..features import pipeline
 from ..features.known_rectangle import marker_text, rectangle_of
 from ..problems import known_problems
+from .aside import Aside
 from .photo_pixels import colour_photo, grey_photo, save_colours
 from .wording import in_language
 
@@ -44,6 +46,7 @@ class LensWatch:
         self._seen: tuple[object, ...] = ()
         #: A sentence, or nothing.
         self.words = ""
+        self._aside = Aside(view)
         self._timer = QtCore.QTimer(view)
         self._timer.setSingleShot(True)
         self._timer.setInterval(REST_MS)
@@ -63,11 +66,11 @@ class LensWatch:
         if self._view.is_in_hand or seen == self._seen:
             return
         self._seen = seen
-        try:
-            lens = lens_of_object(self._obj, graph)
-        except (PhotoError, *known_problems()):
-            # Of the photo itself something is said where it is shown.
-            lens = None
+        # A large photo takes seconds to read.
+        path, marker = self._obj.Photo, self._obj.Marker
+        self._aside.begin(lambda: _lens_if_known(path, marker, graph), self._say)
+
+    def _say(self, lens: Lens | None) -> None:
         before, self.words = self.words, ""
         if lens is not None:
             self.words = " ".join(map(in_language, lens.notes))
@@ -76,29 +79,55 @@ class LensWatch:
 
 
 def lens_of_object(obj: Any, graph: SketchGraph) -> Lens | None:
-    """The lens of a photo sketch, by its traced lines and the sides of what tells its camera."""
+    """The lens of a photo sketch, by its traced lines and the sides of what tells its camera.
+
+    Raises
+    ------
+    StoppedError
+        Where a person did not wait for it.
+    """
+    path, marker = obj.Photo, obj.Marker
+    words = host.translate("InContext", "Looking at the traced lines in the photo ...")
+    # Packed, for there may be none.
+    return pipeline.in_sight(words, lambda: (_lens_of(path, marker, graph),))[0]
+
+
+def _lens_if_known(path: str, marker: str, graph: SketchGraph) -> Lens | None:
+    try:
+        return _lens_of(path, marker, graph)
+    except (PhotoError, *known_problems()):
+        # Of the photo itself something is said where it is shown.
+        return None
+
+
+def _lens_of(path: str, marker: str, graph: SketchGraph) -> Lens | None:
     from ..lens import lens_of, traced_ends
 
     lines = traced_ends(graph)
-    told = rectangle_of(obj.Marker)
+    told = rectangle_of(marker)
     if told is not None:
         corners = np.array(told[0])
         lines |= {f"{k + 1}": (corners[k], corners[(k + 1) % 4]) for k in range(4)}
-    grey = grey_photo(obj.Photo, graph.photo) if lines and graph.photo is not None else None
+    grey = grey_photo(path, graph.photo) if lines and graph.photo is not None else None
     return None if grey is None else lens_of(grey, lines, np.array(graph.principal_point_px))
 
 
 def straighten(obj: Any, lens: Lens) -> None:
-    """Put the straightened photo under a sketch, as one step to undo; the sketch moves with it."""
-    from ...solver.serialise import sketch_to_text
-    from ..lens import straight_picture, straightened_sketch
+    """Put the straightened photo under a sketch, as one step to undo; the sketch moves with it.
 
-    graph = pipeline.graph_of(obj.Sketch)
+    Raises
+    ------
+    StoppedError
+        Where a person did not wait for it.
+    """
+    from ...solver.serialise import sketch_to_text
+
+    graph, photo, marker = pipeline.graph_of(obj.Sketch), obj.Photo, obj.Marker
     assert graph.photo is not None
     with tempfile.TemporaryDirectory(prefix="incontext-") as folder:
         path = Path(folder, f"{Path(graph.photo.file or 'photo').stem}-straight.jpg")
-        save_colours(straight_picture(colour_photo(obj.Photo, graph.photo), lens), str(path))
-        moved, marker = _with_camera(obj, straightened_sketch(graph, lens, path.name), lens, path)
+        words = host.translate("InContext", "Straightening the photo ...")
+        moved, marker = pipeline.in_sight(words, _straightened, graph, photo, marker, lens, path)
         with host.transaction(obj.Document, host.translate("InContext", "Straighten photo")):
             obj.Photo = str(path)
             obj.Marker = marker
@@ -106,13 +135,24 @@ def straighten(obj: Any, lens: Lens) -> None:
             obj.Document.recompute()
 
 
-def _with_camera(obj: Any, graph: SketchGraph, lens: Lens, path: Path) -> tuple[SketchGraph, str]:
-    """The sketch with the camera that the rectangle tells in the straight photo."""
-    from dataclasses import replace
+def _straightened(
+    graph: SketchGraph, photo: str, marker: str, lens: Lens, path: Path
+) -> tuple[SketchGraph, str]:
+    """Write the straight photo; the sketch over it, and what tells its camera."""
+    from ..lens import straight_picture, straightened_sketch
 
+    assert graph.photo is not None
+    save_colours(straight_picture(colour_photo(photo, graph.photo), lens), str(path))
+    return _with_camera(marker, straightened_sketch(graph, lens, path.name), lens, path)
+
+
+def _with_camera(
+    marker: str, graph: SketchGraph, lens: Lens, path: Path
+) -> tuple[SketchGraph, str]:
+    """The sketch with the camera that the rectangle tells in the straight photo."""
     from ..marker_finding import camera_of_corners, seen_corners
 
-    told = rectangle_of(obj.Marker)
+    told = rectangle_of(marker)
     if told is None or graph.photo is None:
         return graph, ""
     corners = lens.straightened(np.array(told[0]))

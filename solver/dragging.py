@@ -125,7 +125,7 @@ def _describe(
 ) -> Solution:
     """The new shape; what does not depend on positions is as it was."""
     placed = put_in_world(graph, core, full.problem, pose)
-    whole, _ = mirrored(graph, Geometry(placed.vertices, graph.edges, graph.faces or {}))
+    whole, _ = mirrored(graph, Geometry(placed.vertices, graph.edges, graph.drawn_faces or {}))
     return replace(
         last,
         sketch=graph,

@@ -21,12 +21,15 @@ from typing import Any
 
 import numpy as np
 
-from .annotations import Annotation, annotation_to_json, annotation_values
+from .annotations import Annotation, SymmetryPlane, annotation_to_json, annotation_values
 from .camera import Camera
-from .values import Array, IntArray, frozen_array, frozen_mapping, kept
+from .values import Array, FrozenDict, IntArray, frozen_array, frozen_mapping, kept
 
 FORMAT = "incontext/sketch"
 VERSION = 1
+
+#: Between the id of what is mirrored and that of its symmetry plane.
+COPY_SIGN = "@"
 
 Point = tuple[float, float]
 
@@ -156,6 +159,21 @@ class SketchGraph:
         """Where the vertices are drawn, in their order, (n, 2); read-only."""
         return _positions_px(self.vertices)
 
+    @property
+    def drawn_faces(self) -> Mapping[str, Face] | None:
+        """The listed faces all of whose corners are drawn; None where faces are found in 3D.
+
+        The others have corners such as ``v3@a5``, which a symmetry plane makes.
+        """
+        return None if self.faces is None else _drawn(self.faces, tuple(self.vertices))
+
+    def is_copy(self, vertex: str) -> bool:
+        """Whether an id such as ``v3@a5`` can be that of a copy of a drawn vertex."""
+        drawn, *planes = vertex.split(COPY_SIGN)
+        there = self.annotations
+        kinds = {there[plane].kind if plane in there else "" for plane in planes}
+        return drawn in self.vertices and kinds == {SymmetryPlane.kind}
+
     def annotations_of(self, kind: str) -> dict[str, Annotation]:
         """The annotations of one kind, by id."""
         return {id_: a for id_, a in self.annotations.items() if a.kind == kind}
@@ -220,6 +238,13 @@ class SketchGraph:
 def _positions_px(vertices: Mapping[str, Point]) -> Array:
     numbers = np.fromiter(chain.from_iterable(vertices.values()), float, 2 * len(vertices))
     return frozen_array(numbers, (-1, 2))
+
+
+@kept
+def _drawn(faces: Mapping[str, Face], vertices: tuple[str, ...]) -> Mapping[str, Face]:
+    there = frozenset(vertices)
+    drawn = {id_: f for id_, f in faces.items() if all(there.issuperset(p) for p in f.loops)}
+    return faces if len(drawn) == len(faces) else FrozenDict(drawn)
 
 
 @kept

@@ -261,7 +261,7 @@ def _leftover_planes(
     if not (touching or open_faces or grounds):
         return
     assert graph.faces is not None or grounds
-    planes, faces = _Planes(graph, topology, structure), graph.faces or {}
+    planes, faces = _Planes(graph, topology, structure), graph.drawn_faces or {}
     for id_, face, vertex in touching:
         yield from planes.of(id_, faces[face].loop, [vertex])
     if grounds:

@@ -75,7 +75,7 @@ def topology_of(graph: SketchGraph) -> Topology:
         graph.edges,
         tuple(graph.circles),
         graph.revolutions,
-        graph.faces,
+        graph.drawn_faces,
         graph.annotations,
     )
     with _lock:
@@ -130,7 +130,7 @@ def topology_with(graph: SketchGraph, annotations: Mapping[str, Annotation]) -> 
         circles=circles,
         ends=indices(vertices, [*chain.from_iterable(graph.edges.values())]).reshape(-1, 2),
         revolutions=graph.revolutions,
-        faces=graph.faces,
+        faces=graph.drawn_faces,
         annotations=ids,
         right_angles=np.column_stack([indices(vertices, [a.at for a in corners]), between]),
         right_angle_places=np.flatnonzero(is_square),

@@ -368,7 +368,7 @@ def _off_camera(off_mm: float, camera: Camera) -> str:
 
 def _with_copies(graph: SketchGraph, vertices: Mapping[str, Array]) -> tuple[Geometry, str]:
     """The geometry with its mirrored copies and its faces, and what to say of them."""
-    whole, left_out = mirrored(graph, Geometry(vertices, graph.edges, graph.faces or {}))
+    whole, left_out = mirrored(graph, Geometry(vertices, graph.edges, graph.drawn_faces or {}))
     if left_out:
         some = ", ".join(left_out[:4])
         return whole, f" Too many copies ({some} and so on): take some symmetry planes away."

@@ -164,7 +164,7 @@ class _Search:
         """The vertices that an annotation speaks of."""
         named = targets_of(self.graph.annotations[id_])
         ends = {v for e in named.get("edge", ()) for v in self.graph.edges[e]}
-        faces = self.graph.faces or {}
+        faces = self.graph.drawn_faces or {}
         loops = {v for f in named.get("face", ()) if f in faces for v in faces[f].loop}
         return ends | loops | set(named.get("vertex", ()))
 

@@ -11,7 +11,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from ..annotations import Annotation, Ground, Parallel, RightAngle
-from ..graph import Ellipse, Face, Point, Revolution, SketchGraph
+from ..graph import COPY_SIGN, Ellipse, Face, Point, Revolution, SketchGraph
 from ..ids import fresh_id, need
 from ..reading.parsing import check_references
 from .annotating import annotate
@@ -173,7 +173,13 @@ def _split_chain(chain: tuple[str, ...], ends: set[str], middle: str) -> tuple[s
     """A chain of vertices with one more where the split edge was passed."""
     longer: list[str] = []
     for v, w in pairwise(chain):
-        longer += [v, middle] if {v, w} == ends else [v]
+        # The copies of an edge are split as it is.
+        (drawn_v, copy), (drawn_w, copy_w) = (
+            v.partition(COPY_SIGN)[::2],
+            w.partition(COPY_SIGN)[::2],
+        )
+        there = {v, w} == ends or ({drawn_v, drawn_w} == ends and copy == copy_w)
+        longer += [v, f"{middle}{COPY_SIGN}{copy}" if copy else middle] if there else [v]
     return (*longer, chain[-1])
 
 

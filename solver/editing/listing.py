@@ -20,7 +20,7 @@ import numpy as np
 from ..errors import SketchError
 from ..faces import find_faces
 from ..geometry import cross
-from ..graph import Face, SketchGraph
+from ..graph import COPY_SIGN, Face, SketchGraph
 from ..ids import fresh_id, need
 from ..reading.parsing import check_references
 from ..solution import Solution, Status
@@ -54,6 +54,8 @@ class Choice:
 def found_faces(graph: SketchGraph, solution: Solution) -> dict[str, Face]:
     """All minimal planar loops of the lifted sketch, listed or not; none where it is not solved.
 
+    One that is the mirror image of a listed face is as that one, and has the id of a copy.
+
     Parameters
     ----------
     graph : SketchGraph
@@ -65,36 +67,41 @@ def found_faces(graph: SketchGraph, solution: Solution) -> dict[str, Face]:
     traced = set(graph.construction)
     drawn = {e: ends for e, ends in solution.edges.items() if e.split("@")[0] not in traced}
     try:
-        return find_faces(solution.vertices_mm, drawn)
+        found = find_faces(solution.vertices_mm, drawn)
     except SketchError:
         # A tangle of lines; the solution says so.
         return {}
+    listed = graph.faces
+    if listed is None:
+        return found
+    copies = {_key(f): id_ for id_, f in solution.faces.items() if id_ not in listed}
+    ids = {id_: copies.get(_key(face), id_) for id_, face in found.items()}
+    return {
+        new: solution.faces[new] if COPY_SIGN in new else found[old] for old, new in ids.items()
+    }
 
 
 def choices(graph: SketchGraph, found: Faces) -> dict[str, Face]:
     """The faces of which something can be said, by id: those listed, then those only found.
 
-    Found ones that are not listed get ids that nothing has yet. Loops with mirrored corners are
-    no choice: a sketch cannot name them. Where nothing is listed yet and some loops have both,
-    there is no choice at all: with a list, these faces would be lost.
+    Found ones that are not listed get ids that nothing has yet, mirror images those of copies.
     """
-    drawn = {id_: face for id_, face in found.items() if _is_drawn(graph, face)}
+    there = {id_: face for id_, face in found.items() if _can_be_listed(graph, face)}
     if graph.faces is None:
-        return {} if has_half_drawn(graph, found) else drawn
+        return there
     all_ = dict(graph.faces)
     known = {_key(face) for face in all_.values()}
-    for face in drawn.values():
+    for id_, face in there.items():
         if _key(face) not in known:
-            all_[fresh_id("f", all_)] = face
+            all_[id_ if COPY_SIGN in id_ else fresh_id("f", all_)] = face
     return all_
 
 
-def has_half_drawn(graph: SketchGraph, found: Faces) -> bool:
-    """Whether some found loops have both drawn and other, mirrored corners."""
-    loops = (face.loop for face in found.values())
-    return any(
-        any("@" in v for v in loop) and any(v in graph.vertices for v in loop) for loop in loops
-    )
+def is_made(graph: SketchGraph, id_: str, found: Faces) -> bool:
+    """Whether something is made of a face of `choices`."""
+    face = choices(graph, found)[id_]
+    known = graph.faces is None or id_ in graph.faces or COPY_SIGN in id_
+    return known and face.included
 
 
 def set_included(graph: SketchGraph, choice: Choice, included: bool) -> SketchGraph:
@@ -213,8 +220,8 @@ def _sides(face: Face) -> set[frozenset[str]]:
     }
 
 
-def _is_drawn(graph: SketchGraph, face: Face) -> bool:
-    return all(v in graph.vertices for loop in face.loops for v in loop)
+def _can_be_listed(graph: SketchGraph, face: Face) -> bool:
+    return all(v in graph.vertices or graph.is_copy(v) for loop in face.loops for v in loop)
 
 
 def _whole_of(part: Face, listed: Faces, at: Mapping[str, Array]) -> str | None:

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, fields, replace
 
 from ..annotations import Annotation, Length, RightAngle
-from ..graph import Face, Revolution, SketchGraph
+from ..graph import COPY_SIGN, Face, Revolution, SketchGraph
 
 Ids = Mapping[str, str | None]
 
@@ -58,7 +58,19 @@ def substituted(graph: SketchGraph, changes: Substitution) -> SketchGraph:
         faces=faces or (None if graph.faces else graph.faces),
         construction=_mapped(_mapped(graph.construction, changes.edges), changes.circles),
     )
-    return replace(smaller, annotations=_annotations(graph, smaller, changes))
+    return _without_lost_copies(replace(smaller, annotations=_annotations(graph, smaller, changes)))
+
+
+def _without_lost_copies(graph: SketchGraph) -> SketchGraph:
+    """The graph without the faces whose mirrored corners are there no more."""
+    if graph.faces is None or graph.faces is graph.drawn_faces:
+        return graph
+    kept = {
+        id_: face
+        for id_, face in graph.faces.items()
+        if all(v in graph.vertices or graph.is_copy(v) for loop in face.loops for v in loop)
+    }
+    return graph if len(kept) == len(graph.faces) else replace(graph, faces=kept or None)
 
 
 def _mapped(ids: Iterable[str], changes: Ids) -> tuple[str, ...]:
@@ -112,13 +124,29 @@ def _loop(
     loop: tuple[str, ...], changes: Ids, before: set[frozenset[str]], joined: set[frozenset[str]]
 ) -> tuple[str, ...] | None:
     """A loop after a substitution, or None where it is open or passes a vertex twice."""
-    after = [changes.get(v, v) for v in loop]
-    sides = [(*pair, frozenset(old)) for pair, old in zip(_pairs(after), _pairs(loop), strict=True)]
+    after = [_corner(v, changes) for v in loop]
+    sides = [(*pair, _drawn(old)) for pair, old in zip(_pairs(after), _pairs(loop), strict=True)]
     shorter = tuple(v for v, w, _ in sides if v is not None and v != w)
-    lost = any(old in before and v != w and {v, w} not in joined for v, w, old in sides)
+    lost = any(old in before and v != w and _drawn((v, w)) not in joined for v, w, old in sides)
     if None in after or lost or len(shorter) < 3 or len(set(shorter)) < len(shorter):
         return None
     return shorter
+
+
+def _corner(vertex: str, changes: Ids) -> str | None:
+    """A corner after a substitution; a copy goes, and changes its name, with what it is of."""
+    drawn, sign, planes = vertex.partition(COPY_SIGN)
+    if vertex in changes or drawn not in changes:
+        return changes.get(vertex, vertex)
+    after = changes[drawn]
+    return None if after is None else f"{after}{sign}{planes}"
+
+
+def _drawn(ends: Iterable[str | None]) -> frozenset[str | None]:
+    """The ends of a side; of a copy, those of what it is of."""
+    parts = [("", "", "") if v is None else v.partition(COPY_SIGN) for v in ends]
+    alike = len({planes for _, _, planes in parts}) == 1
+    return frozenset(v if alike else "".join((v, *rest)) for v, *rest in parts)
 
 
 def _pairs(ids: Iterable[str | None]) -> list[tuple[str, str]]:

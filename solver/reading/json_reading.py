@@ -77,10 +77,23 @@ def an_id(value: Any, place: str) -> str:
     return value
 
 
-def ids(value: Any, place: str, at_least: int = 0, at_most: int | None = None) -> tuple[str, ...]:
-    """A list of ids."""
+def a_copy_id(value: Any, place: str) -> str:
+    """An id, or that of a mirrored copy: ids with ``@`` between them."""
+    if not isinstance(value, str):
+        return an_id(value, place)
+    return "@".join(an_id(part, place) for part in value.split("@"))
+
+
+def ids(
+    value: Any,
+    place: str,
+    at_least: int = 0,
+    at_most: int | None = None,
+    one: Callable[[Any, str], str] = an_id,
+) -> tuple[str, ...]:
+    """A list of ids; `one` reads each."""
     return tuple(
-        an_id(v, f"{place}[{i}]") for i, v in enumerate(a_list(value, place, at_least, at_most))
+        one(v, f"{place}[{i}]") for i, v in enumerate(a_list(value, place, at_least, at_most))
     )
 
 
@@ -91,10 +104,15 @@ def a_bool(value: Any, place: str) -> bool:
     return value
 
 
-def by_id(value: Any, place: str, read: Callable[[Any, str], T]) -> dict[str, T]:
-    """An object of elements by id."""
+def by_id(
+    value: Any,
+    place: str,
+    read: Callable[[Any, str], T],
+    one: Callable[[Any, str], str] = an_id,
+) -> dict[str, T]:
+    """An object of elements by id; `one` reads each id."""
     items = an_object(value, place)
-    return {an_id(key, place): read(item, f"{place}.{key}") for key, item in items.items()}
+    return {one(key, place): read(item, f"{place}.{key}") for key, item in items.items()}
 
 
 def check_keys(

@@ -50,7 +50,7 @@ def graph_from_json(value: Any) -> SketchGraph:
         edges=read.by_id(body["edges"], "edges", _edge),
         circles=read.by_id(body.get("circles", {}), "circles", _circle),
         revolutions=read.by_id(body.get("revolutions", {}), "revolutions", _revolution),
-        faces=None if "faces" not in body else read.by_id(body["faces"], "faces", _face),
+        faces=_faces(body["faces"]) if "faces" in body else None,
         annotations=read.by_id(body.get("annotations", {}), "annotations", _annotation),
         construction=read.ids(body.get("construction", []), "construction"),
         camera=None if body.get("camera") is None else camera_from_json(body["camera"]),
@@ -164,14 +164,18 @@ def _revolution(value: Any, place: str) -> Revolution:
     return Revolution(ground, bottom, top, read.ids(body["profile"], f"{place}.profile", 2))
 
 
+def _faces(value: Any) -> dict[str, Face]:
+    return read.by_id(value, "faces", _face, read.a_copy_id)
+
+
 def _face(value: Any, place: str) -> Face:
     body = read.an_object(value, place)
     read.check_keys(body, place, ("loop",), ("holes", "included", "thickness_mm"))
     thickness = body.get("thickness_mm")
     holes = read.a_list(body.get("holes", []), f"{place}.holes")
     return Face(
-        read.ids(body["loop"], f"{place}.loop", 3),
-        tuple(read.ids(hole, f"{place}.holes", 3) for hole in holes),
+        read.ids(body["loop"], f"{place}.loop", 3, one=read.a_copy_id),
+        tuple(read.ids(hole, f"{place}.holes", 3, one=read.a_copy_id) for hole in holes),
         read.a_bool(body.get("included", True), f"{place}.included"),
         None if thickness is None else read.a_number(thickness, f"{place}.thickness_mm", above=0.0),
     )
@@ -227,10 +231,20 @@ def _check_circles(graph: SketchGraph) -> None:
 
 def _check_face(graph: SketchGraph, id_: str, face: Face) -> None:
     for loop in face.loops:
-        _need(loop, graph.vertices, "vertex", f"face {id_}")
+        drawn = [v for v in loop if v in graph.vertices or not graph.is_copy(v)]
+        _need(drawn, graph.vertices, "vertex", f"face {id_}")
         twice = [v for v, count in Counter(loop).items() if count > 1]
         if twice:
             raise SketchError(f"face {id_} passes a vertex twice", twice, "split the face")
+
+
+def _need_drawn(graph: SketchGraph, id_: str, faces: Iterable[str]) -> None:
+    """Refuse to have a vertex on a face that is there only once the sketch is solved."""
+    mirrored = sorted(set(faces) - set(graph.drawn_faces or {}))
+    if mirrored:
+        raise SketchError(
+            f"annotation {id_} names a face with mirrored corners", mirrored, "draw its corners"
+        )
 
 
 def _check_annotation(graph: SketchGraph, id_: str, annotation: Annotation) -> None:
@@ -244,6 +258,7 @@ def _check_annotation(graph: SketchGraph, id_: str, annotation: Annotation) -> N
             # Faces that are found in 3D have their ids only after the solve.
             if graph.faces is not None:
                 _need(named, graph.faces, target, f"annotation {id_}")
+                _need_drawn(graph, id_, named)
             continue
         _need(named, there[target], target, f"annotation {id_}")
         if len(set(named)) != len(named):

@@ -112,8 +112,8 @@ def _constraints(
             rows.setdefault(a.kind, []).extend(
                 (*line(e), *line(following)) for e, following in pairwise(a.edges)
             )
-        elif isinstance(a, OnFace) and graph.faces is not None and a.face in graph.faces:
-            loop = graph.faces[a.face].loop
+        elif isinstance(a, OnFace) and a.face in (graph.drawn_faces or {}):
+            loop = (graph.drawn_faces or {})[a.face].loop
             rows.setdefault(a.kind, []).append((*(index[v] for v in loop[:3]), index[a.vertex]))
     kinds = (RightAngle.kind, EqualLength.kind, Parallel.kind, OnFace.kind)
     return GeometricConstraints(
@@ -150,7 +150,7 @@ KNOWN_KINDS = frozenset(a.kind for a in (RightAngle, EqualLength, Parallel, Grou
 
 def unknown_annotations(graph: SketchGraph) -> tuple[str, ...]:
     """The ids of the annotations that the reference methods leave out."""
-    given = graph.faces or {}
+    given = graph.drawn_faces or {}
     return tuple(
         id_
         for id_, a in graph.annotations.items()

@@ -205,7 +205,7 @@ def _camera(drawing: Drawing, view: View, scale: float) -> Camera:
 
 def _faces(graph: SketchGraph, vertices: dict[str, Array]) -> dict[str, Face]:
     if graph.faces is not None:
-        return dict(graph.faces)
+        return dict(graph.drawn_faces or {})
     try:
         return find_faces(vertices, graph.edges)
     except SketchError:

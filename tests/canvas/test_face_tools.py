@@ -93,14 +93,62 @@ def test_faces_stay_to_be_clicked_while_the_drawing_goes_on(shelf, solved):
     assert "v9" not in {v for f in hand.graph.faces.values() for v in f.loop}
 
 
-def test_faces_with_mirrored_corners_are_not_lost_in_a_list():
-    graph, _ = half_of_a_box()
-    graph = replace(graph, faces=None)
-    solved = Solved(graph, solve(graph))
-    assert any("@" in v for face in solved.found.values() for v in face.loop)
+@pytest.fixture(scope="module")
+def half():
+    graph = replace(half_of_a_box()[0], faces=None)
+    return graph, Solved(graph, solve(graph))
+
+
+def click_mirrored(hand, solved, loop):
+    hand.click(*np.mean([solved.seen[v] for v in loop], axis=0))
+
+
+def test_a_half_drawn_face_is_clicked_where_it_is_seen(half):
+    graph, solved = half
+    (back,) = [f.loop for f in solved.found.values() if any("@" in v for v in f.loop)]
     hand = hand_with(graph, solved, "leave_out")
-    assert "hidden edges" in hand.drawing.tool.hint
-    for face in solved.solution.faces.values():
-        if all(v in graph.vertices for v in face.loop):
-            click(hand, face.loop)
-    assert hand.words == []
+    click_mirrored(hand, solved, back)
+    assert hand.words == ["Leave face out"]
+    assert [set(f.loop) for f in hand.graph.faces.values() if not f.included] == [set(back)]
+    assert len(hand.graph.faces) == 4
+    assert hand.drawing.preview.areas
+    click_mirrored(hand, solved, back)
+    assert all(f.included for f in hand.graph.faces.values())
+    hand.drawing.use("thickness")
+    click_mirrored(hand, solved, back)
+    hand.drawing.answer(hand.asked[0], 6.0)
+    assert [set(f.loop) for f in hand.graph.faces.values() if f.thickness_mm] == [set(back)]
+
+
+def test_the_mirror_image_of_a_listed_face_is_a_face_of_its_own(half):
+    graph, solved = half
+    listed = replace(graph, faces={"f2": Face(("v0", "v1", "v5", "v4"))})
+    solved = Solved(listed, solve(listed))
+    (copy,) = [f for id_, f in solved.found.items() if id_ == "f2@mirror"]
+    hand = hand_with(listed, solved, "leave_out")
+    click_mirrored(hand, solved, copy.loop)
+    assert hand.words == ["Leave face out"]
+    assert {id_: f.included for id_, f in hand.graph.faces.items()} == {
+        "f2": True,
+        "f2@mirror": False,
+    }
+
+
+def test_vertices_touch_drawn_faces_only(half):
+    graph, solved = half
+    hand = hand_with(graph, solved, "on_face")
+    hand.click(*graph.vertices["v5"])
+    (back,) = [f.loop for f in solved.found.values() if any("@" in v for v in f.loop)]
+    assert set(back) not in [set(f.loop) for f in hand.drawing.tool._faces().values()]
+
+
+def test_what_is_said_of_a_half_drawn_face_is_painted_where_it_is_seen(half):
+    from incontext.workbench.canvas.lifted import lifted_view
+    from incontext.workbench.canvas.scene import Scene
+
+    graph, solved = half
+    view = lifted_view(solved.solution)
+    assert view.mirrored.keys() == {"v5@mirror"}
+    scene = Scene(graph, None, dict(graph.vertices), mirrored=view.mirrored)
+    assert scene.outline(("v2", "v5@mirror"))[1] == pytest.approx(solved.seen["v5@mirror"])
+    assert scene.outline(("v2", "v7@mirror")) == ()

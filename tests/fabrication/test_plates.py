@@ -235,3 +235,15 @@ def test_a_crossed_outline_is_named():
 def test_nothing_included():
     with pytest.raises(FabricationError, match="no face"):
         make_plates(shapes.board(left_out=("f1",)))
+
+
+def test_a_half_drawn_face_can_be_left_out_or_thick():
+    """Half of a box, mirrored: what is said of the face with a mirrored corner counts."""
+    from test_symmetry import listed_half
+
+    from incontext.solver import solve
+    from incontext.solver.model import build_model
+
+    whole = make_plates(build_model(solve(listed_half(thickness_mm=5.0))))
+    assert sorted(plate.thickness_mm for plate in whole) == [3.0, 3.0, 3.0, 5.0]
+    assert len(make_plates(build_model(solve(listed_half(included=False))))) == 3

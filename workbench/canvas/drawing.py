@@ -22,7 +22,7 @@ from .marks import Marks, marks_of
 from .questions import About, KnownRectangle, Question
 from .selection import Selection
 from .snapping import Snap
-from .solved import Solved, face_choices
+from .solved import Solved, face_choices, places
 
 
 def _nothing(*_: object) -> None:
@@ -156,7 +156,13 @@ class Drawing:
     @property
     def faces(self) -> dict[str, Face]:
         """The faces of which something can be said, see `solved.face_choices`."""
-        return face_choices(self._committed, self._solved)
+        at, faces = self.places, face_choices(self._committed, self._solved)
+        return {id_: f for id_, f in faces.items() if all(at.keys() >= {*p} for p in f.loops)}
+
+    @property
+    def places(self) -> dict[str, Point]:
+        """Where all vertices are, see `solved.places`."""
+        return places(self._graph, self._solved)
 
     def choice(self, face: str) -> Choice:
         """A face of `faces`, of which something is to be said."""

@@ -34,12 +34,15 @@ class LiftedView:
         Without the copies.
     copies : tuple of lines
         Mirrored edges.
+    mirrored : mapping of vertex to its place
+        Copies of vertices.
     circles : tuple of lines
     faces : tuple of loops
     """
 
     edges: Mapping[str, tuple[Point, Point]] = field(default_factory=dict)
     copies: tuple[tuple[Point, ...], ...] = ()
+    mirrored: Mapping[str, Point] = field(default_factory=dict)
     circles: tuple[tuple[Point, ...], ...] = ()
     faces: tuple[tuple[Point, ...], ...] = ()
 
@@ -58,6 +61,7 @@ def lifted_view(solution: Solution | None) -> LiftedView:
     return LiftedView(
         edges={e: line for e, line in lines.items() if "@" not in e},
         copies=tuple(line for e, line in lines.items() if "@" in e),
+        mirrored={v: place for v, place in at.items() if "@" in v},
         circles=tuple(tuple((u, v) for u, v in ring) for ring in rings if _is_finite(ring)),
         faces=tuple(tuple(at[v] for v in loop) for loop in loops if at.keys() >= set(loop)),
     )

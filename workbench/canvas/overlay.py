@@ -58,7 +58,7 @@ def _paint_left_out(painter: QtGui.QPainter, scene: Scene) -> None:
         # Where loops overlap, the hole is: odd and even, Qt's way if not told otherwise.
         path = QtGui.QPainterPath()
         for loop in face.loops:
-            path.addPolygon(polygon([scene.screen[v] for v in loop]))
+            path.addPolygon(polygon(scene.outline(loop)))
             path.closeSubpath()
         painter.save()
         painter.fillPath(path, pale)

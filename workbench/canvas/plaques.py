@@ -35,8 +35,9 @@ def paint_plaques(painter: QtGui.QPainter, scene: Scene) -> None:
         below = style.PLAQUE_DISTANCE_PX + _room(painter, text)[1] / 2
         _plaque(painter, text, (lowest[0], lowest[1] + below))
     for face, text in marks.thicknesses.items():
-        loop = (scene.graph.faces or {})[face].loop
-        _plaque(painter, text, middle([scene.screen[v] for v in loop]))
+        outline = scene.outline((scene.graph.faces or {})[face].loop)
+        if outline:
+            _plaque(painter, text, middle(outline))
 
 
 def paint_numbers(painter: QtGui.QPainter, scene: Scene) -> None:

@@ -58,6 +58,8 @@ class Scene:
         How many parameters each has, where that is shown ([Lau10] Figure 5).
     part : Part or None
         What of it is painted; all where there is none.
+    mirrored : mapping of vertex to screen position
+        Of the copies that symmetry planes make.
     """
 
     graph: SketchGraph
@@ -68,6 +70,12 @@ class Scene:
     rings: tuple[Stroke, ...] = ()
     numbers: Mapping[str, int] = field(default_factory=dict)
     part: Part | None = None
+    mirrored: Mapping[str, Point] = field(default_factory=dict)
+
+    def outline(self, loop: Iterable[str]) -> Stroke:
+        """Screen positions of a face's corners; none where a mirrored one is not known yet."""
+        found = [self.screen.get(v) or self.mirrored.get(v) for v in loop]
+        return tuple(p for p in found if p is not None) if None not in found else ()
 
     def ends(self, edge: str) -> tuple[Point, Point]:
         """Screen positions of an edge's two ends."""

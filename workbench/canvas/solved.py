@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ...solver.editing.listing import choices, found_faces, has_half_drawn
+from ...solver.editing.listing import choices, found_faces
 from ...solver.geometry import cross
 from .plane import Point, is_inside, middle
 
@@ -102,24 +102,26 @@ def face_choices(graph: SketchGraph, solved: Solved | None) -> dict[str, Face]:
     return choices(graph, {} if solved is None else solved.found)
 
 
-def why_no_faces(graph: SketchGraph, solved: Solved | None) -> str:
-    """Why there are no faces to say something of, as a hint."""
-    if solved is not None and has_half_drawn(graph, solved.found):
-        return "Some faces are half mirrored: draw their hidden edges too, then faces can be chosen"
-    return "Faces are known once the sketch is solved: the line below says what is missing"
+#: Why there are no faces to say something of, as a hint.
+NO_FACES = "Faces are known once the sketch is solved: the line below says what is missing"
 
 
-def outline(graph: SketchGraph, loop: Iterable[str]) -> tuple[Point, ...]:
+def places(graph: SketchGraph, solved: Solved | None) -> dict[str, Point]:
+    """Where all vertices are: as they are drawn, mirrored ones as they were seen last."""
+    return {**({} if solved is None else solved.seen), **graph.vertices}
+
+
+def outline(at: Mapping[str, Point], loop: Iterable[str]) -> tuple[Point, ...]:
     """The places of a loop's vertices."""
-    return tuple(graph.vertices[v] for v in loop)
+    return tuple(at[v] for v in loop)
 
 
-def face_at(graph: SketchGraph, faces: Mapping[str, Face], point_px: Point) -> str | None:
+def face_at(at: Mapping[str, Point], faces: Mapping[str, Face], point_px: Point) -> str | None:
     """The face that a photo position means: around it, its middle the nearest ([Lau10] 3.2).
 
     In a box drawn with its hidden edges every place lies in several; each has a place of its own
     about its middle.
     """
-    outlines = {id_: outline(graph, face.loop) for id_, face in faces.items()}
+    outlines = {id_: outline(at, face.loop) for id_, face in faces.items()}
     around = [id_ for id_, places in outlines.items() if is_inside(point_px, places)]
     return min(around, key=lambda id_: math.dist(middle(outlines[id_]), point_px), default=None)

@@ -36,9 +36,9 @@ def loops(graph: SketchGraph) -> list[Point]:
     return [middle([graph.vertices[v] for v in quad.outline]) for quad in quads(graph)]
 
 
-def faces(graph: SketchGraph, there: Mapping[str, Face]) -> list[Point]:
-    """The middles of some faces."""
-    return [middle(outline(graph, face.loop)) for face in there.values()]
+def faces(at: Mapping[str, Point], there: Mapping[str, Face]) -> list[Point]:
+    """The middles of some faces, by the places of their vertices."""
+    return [middle(outline(at, face.loop)) for face in there.values()]
 
 
 def corners(graph: SketchGraph, away_px: float) -> list[Point]:

@@ -262,7 +262,17 @@ class SketchView(PhotoView):
         paint_lift(painter, self._lifted, on_screen)
         rings = tuple(tuple(map(on_screen, line)) for line in turning.rings_of(graph))
         numbers, findings = self.numbers.of(graph), self._findings
-        scene = Scene(graph, self._drawing.marks, screen, circles, findings, rings, numbers)
+        mirrored = {v: on_screen(place) for v, place in self._lifted.mirrored.items()}
+        scene = Scene(
+            graph,
+            self._drawing.marks,
+            screen,
+            circles,
+            findings,
+            rings,
+            numbers,
+            mirrored=mirrored,
+        )
         work = previews.Work(
             self._drawing.preview, self._drawing.selection, on_screen, self.in_words
         )

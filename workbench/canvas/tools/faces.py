@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ....solver.editing.listing import set_included
+from ....solver.editing.listing import is_made, set_included
 from .. import stops
 from ..plane import Point, middle
 from ..preview import Preview
 from ..questions import About, Question
-from ..solved import face_at, outline, why_no_faces
+from ..solved import NO_FACES, face_at, outline
 from .base import Pointer, Tool
 
 if TYPE_CHECKING:
@@ -25,18 +25,18 @@ class FaceTool(Tool):
 
     def stops(self, reach_px: float) -> list[Point]:
         """See `Tool`."""
-        return stops.faces(self.drawing.graph, self.drawing.faces)
+        return stops.faces(self.drawing.places, self.drawing.faces)
 
     def preview(self) -> Preview:
         """See `Tool`."""
-        graph, faces = self.drawing.graph, self.drawing.faces
+        faces = self.drawing.faces
         if self._face not in faces:
             return Preview()
-        return Preview(areas=(outline(graph, faces[self._face].loop),))
+        return Preview(areas=(outline(self.drawing.places, faces[self._face].loop),))
 
     def move(self, pointer: Pointer) -> None:
         """See `Tool`."""
-        self._face = face_at(self.drawing.graph, self.drawing.faces, pointer.point_px)
+        self._face = face_at(self.drawing.places, self.drawing.faces, pointer.point_px)
 
     def press(self, pointer: Pointer) -> None:
         """See `Tool`."""
@@ -58,14 +58,14 @@ class LeaveOutTool(FaceTool):
     def hint(self) -> str:
         """See `Tool`."""
         if not self.drawing.faces:
-            return why_no_faces(self.drawing.committed, self.drawing.solved)
+            return NO_FACES
         return "Click in the middle of a face that stays open; click again to close it"
 
     def _take(self, face: str) -> None:
         graph = self.drawing.committed
-        listed = self.drawing.faces[face] if graph.faces is None else graph.faces.get(face)
-        opens = listed is not None and listed.included
-        changed = set_included(graph, self.drawing.choice(face), not opens)
+        choice = self.drawing.choice(face)
+        opens = is_made(graph, face, choice.found)
+        changed = set_included(graph, choice, not opens)
         self.drawing.commit(changed, "Leave face out" if opens else "Include face")
 
 
@@ -80,10 +80,10 @@ class ThicknessTool(FaceTool):
     def hint(self) -> str:
         """See `Tool`."""
         if not self.drawing.faces:
-            return why_no_faces(self.drawing.committed, self.drawing.solved)
+            return NO_FACES
         return "Click in the middle of a face, type its thickness and Enter; empty: as the others"
 
     def _take(self, face: str) -> None:
         said = self.drawing.faces[face]
-        at = middle(outline(self.drawing.graph, said.loop))
+        at = middle(outline(self.drawing.places, said.loop))
         self.drawing.ask(Question(About.FACE, face, at, said.thickness_mm))

@@ -12,7 +12,7 @@ from .. import stops
 from ..hit_testing import vertex_at
 from ..preview import Preview
 from ..selection import Selection
-from ..solved import face_at, outline, why_no_faces
+from ..solved import NO_FACES, face_at, outline
 from .base import Pointer, Tool
 
 if TYPE_CHECKING:
@@ -40,30 +40,36 @@ class OnFaceTool(Tool):
         if self._vertex is None:
             return "Click a vertex that touches a face"
         if not self._faces():
-            return why_no_faces(self.drawing.committed, self.drawing.solved)
+            return NO_FACES
         return "Click in the middle of the face that it touches; Esc to give up"
 
     def _faces(self) -> dict[str, Face]:
-        """The faces that the vertex is no corner of."""
-        faces = self.drawing.faces
+        """The drawn faces that the vertex is no corner of."""
+        faces, drawn = self.drawing.faces, self.drawing.graph.vertices.keys()
         return {
             id_: face
             for id_, face in faces.items()
-            if not any(self._vertex in loop for loop in face.loops)
+            if all(self._vertex not in loop and drawn >= set(loop) for loop in face.loops)
         }
 
     def stops(self, reach_px: float) -> list[Point]:
         """See `Tool`."""
         graph = self.drawing.graph
-        return stops.vertices(graph) if self._vertex is None else stops.faces(graph, self._faces())
+        return (
+            stops.vertices(graph)
+            if self._vertex is None
+            else stops.faces(graph.vertices, self._faces())
+        )
 
     def preview(self) -> Preview:
         """See `Tool`."""
-        graph, faces = self.drawing.graph, self.drawing.faces
+        faces = self._faces()
         lit = Selection(vertices=frozenset(filter(None, (self._vertex, self._lit))))
         if self._face not in faces:
             return Preview(lit=lit)
-        return Preview(lit=lit, areas=(outline(graph, faces[self._face].loop),))
+        return Preview(
+            lit=lit, areas=(outline(self.drawing.graph.vertices, faces[self._face].loop),)
+        )
 
     def move(self, pointer: Pointer) -> None:
         """See `Tool`."""
@@ -72,7 +78,7 @@ class OnFaceTool(Tool):
         if self._vertex is None:
             self._lit = vertex_at(graph, place, 1.5 * pointer.reach_px)
         else:
-            self._face = face_at(graph, self._faces(), place)
+            self._face = face_at(graph.vertices, self._faces(), place)
 
     def press(self, pointer: Pointer) -> None:
         """See `Tool`."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import builtins
 import re
 import runpy
 from collections.abc import Iterator
@@ -16,7 +17,8 @@ LANGUAGES = ("de", "ja")
 RELEASE = runpy.run_path(str(FOLDER / "release.py"))
 FOLDERS = ("canvas", "panels", "commands", "features")
 SOURCES = sorted(p for folder in FOLDERS for p in (ROOT / "workbench" / folder).rglob("*.py"))
-SOURCES += [ROOT / "InitGui.py", ROOT / "workbench" / "problems.py"]
+_WORDING = ("problems", "wording", "reasons", "made_lines", "file_reasons")
+SOURCES += [ROOT / "InitGui.py", *(ROOT / "workbench" / f"{name}.py" for name in _WORDING)]
 
 #: Of what has a space or begins like a sentence, these are for programs.
 NOT_FOR_PEOPLE = re.compile(
@@ -105,7 +107,7 @@ def sentences_of(path: Path) -> Iterator[str]:
 )
 def test_what_the_solver_says_of_a_sketch_is_known_to_the_wording(name, monkeypatch):
     from incontext.workbench import host
-    from incontext.workbench.panels.wording import in_language
+    from incontext.workbench.wording import in_language
 
     monkeypatch.setattr(host, "translate", lambda _, text: f"<{text}>")
     found = list(sentences_of(ROOT / "solver" / f"{name}.py"))
@@ -118,3 +120,89 @@ def test_what_the_solver_says_of_a_sketch_is_known_to_the_wording(name, monkeypa
     found = [f"7 freedoms left{w[1:]}" if w.startswith("7: ") else w for w in found]
     found = [words.removeprefix("7 ") if words.startswith("7 If") else words for words in found]
     assert [words for words in found if in_language(words).count("<") < words.count(". ") + 1] == []
+
+
+def words_of(node: ast.expr) -> str:
+    """The text of a string, a number in each of its places; empty for anything else."""
+    if isinstance(node, ast.JoinedStr):
+        return "".join(v.value if isinstance(v, ast.Constant) else "7" for v in node.values)
+    return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else ""
+
+
+#: Python's own errors are no words for people.
+PYTHONS = {name for name in dir(builtins) if name.endswith("Error")}
+
+
+def errors_of(path: Path) -> Iterator[str]:
+    """What a module's errors say is wrong, and what to try."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Call):
+            name = getattr(node.func, "id", "")
+            if name.endswith("Error") and name not in PYTHONS:
+                yield from filter(None, map(words_of, node.args))
+
+
+@pytest.fixture
+def marked(monkeypatch):
+    """What is translated stands in angles."""
+    from incontext.workbench import host
+    from incontext.workbench.wording import in_language
+
+    monkeypatch.setattr(host, "translate", lambda _, text: f"<{text}>")
+    return in_language
+
+
+#: Data, and commands of the command line, which speaks English.
+NO_WORDS = re.compile(r"[\W\d]*|\{.*|\[.*|.* --\w+.*")
+
+
+@pytest.mark.parametrize("folder", ["solver", "workbench/fabrication", "workbench/canvas"])
+def test_what_errors_say_is_known_to_the_wording(folder, marked):
+    modules = [p for p in (ROOT / folder).rglob("*.py") if "synthetic" not in p.parts]
+    said = [(path.name, words) for path in modules for words in errors_of(path)]
+    assert said
+    unknown = [(n, w) for n, w in said if not NO_WORDS.fullmatch(w) and "<" not in marked(w)]
+    assert unknown == []
+
+
+@pytest.mark.parametrize(
+    ("module", "names"),
+    [
+        ("joints", ("why_no_fingers",)),
+        ("assembly", ("words",)),
+        ("fits", ("effects",)),
+        ("fit", ("words",)),
+        ("standing", ("words",)),
+        ("checking", ("lines",)),
+        ("weak_spots", ("loose_plates", "_pieces", "thin_plates", "thin_walls")),
+        ("../photos", ("photo_path", "load_photo", "read_upright")),
+    ],
+)
+def test_lines_about_what_is_made_are_known_to_the_wording(module, names, marked):
+    tree = ast.parse((ROOT / "workbench" / "fabrication" / f"{module}.py").read_text("utf-8"))
+    functions = [n for n in ast.walk(tree) if isinstance(n, ast.FunctionDef) and n.name in names]
+    assert {f.name for f in functions} == set(names)
+    skipped = no_texts(tree)
+    found = []
+    for node in (node for function in functions for node in ast.walk(function)):
+        words = "" if id(node) in skipped else words_of(node) if isinstance(node, ast.expr) else ""
+        # Parts of lines, with joints of their own, are tried as wholes elsewhere.
+        if len(words.split()) > 3 and not words.startswith((";", " (")):
+            found.append(words.replace("it stands7:", "it stands:"))
+    assert found
+    assert [words for words in found if not marked(words).startswith("<")] == []
+
+
+def test_whole_lines_are_translated_part_by_part(marked):
+    joint = "e1, e2: half lap between f1 and f2 at 90 degrees (fingers would cut f1 into pieces)"
+    assert marked(joint) == (
+        "<e1, e2: <half lap> between f1 and f2 at 90 degrees (<fingers would cut f1 into pieces>)>"
+    )
+    fit = (
+        "block e4 (which will stand 2.0 mm higher): fits, 3.0 mm from f2; "
+        "room: 4.0 mm left, free back and up; one pixel of the photo is 0.3 mm there"
+    )
+    assert marked(fit) == (
+        "<<<block e4> (which will stand 2.0 mm higher)>: fits, <3.0 mm from f2>; "
+        "room: <4.0 mm left>, <free <back>> <and> <up>; one pixel of the photo is 0.3 mm there>"
+    )

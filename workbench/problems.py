@@ -7,6 +7,7 @@ up only when something went wrong, so that nobody waits for the solver's import 
 from __future__ import annotations
 
 from . import host
+from .wording import in_language
 
 
 class StoppedError(Exception):
@@ -36,4 +37,4 @@ def in_words(error: BaseException) -> str:
             "{1} -m pip install --target {2} {0}",
         )
         return words.format(package, host.python_command(), host.packages_folder())
-    return str(error)
+    return in_language(str(error))

@@ -1204,10 +1204,6 @@
         <translation>Gelöst.</translation>
     </message>
     <message>
-        <source>Some faces are half mirrored: draw their hidden edges too, then faces can be chosen</source>
-        <translation>Manche Flächen sind halb gespiegelt: auch ihre verdeckten Kanten zeichnen, dann sind Flächen wählbar</translation>
-    </message>
-    <message>
         <source>Something else</source>
         <translation>Etwas anderes</translation>
     </message>
@@ -1222,10 +1218,6 @@
     <message>
         <source>Stopped; nothing is installed.</source>
         <translation>Abgebrochen; nichts wurde installiert.</translation>
-    </message>
-    <message>
-        <source>Stopping ...</source>
-        <translation>Wird angehalten ...</translation>
     </message>
     <message>
         <source>Storage box for a chair</source>
@@ -2136,6 +2128,882 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
     <message>
         <source>{}; try: {}</source>
         <translation>{}; bitte: {}</translation>
+    </message>
+    <message>
+        <source>Lifting the sketch to 3D ...</source>
+        <translation>Skizze wird in 3D gehoben …</translation>
+    </message>
+    <message>
+        <source>Making the plates ...</source>
+        <translation>Platten werden gemacht …</translation>
+    </message>
+    <message>
+        <source>Looking how the plates go together ...</source>
+        <translation>Reihenfolge des Zusammenbaus wird gesucht …</translation>
+    </message>
+    <message>
+        <source>Making the solid; the first time takes some seconds ...</source>
+        <translation>Körper wird gemacht; das erste Mal dauert einige Sekunden …</translation>
+    </message>
+    <message>
+        <source>Laying the plates out on sheets ...</source>
+        <translation>Platten werden auf Tafeln verteilt …</translation>
+    </message>
+    <message>
+        <source>Writing the {} file ...</source>
+        <translation>Die Datei {} wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>Checking the fit ...</source>
+        <translation>Passung wird geprüft …</translation>
+    </message>
+    <message>
+        <source>Looking at the traced lines in the photo ...</source>
+        <translation>Die nachgezeichneten Linien werden im Foto betrachtet …</translation>
+    </message>
+    <message>
+        <source>Straightening the photo ...</source>
+        <translation>Foto wird begradigt …</translation>
+    </message>
+    <message>
+        <source>Looking for the corners in the photo ...</source>
+        <translation>Die Ecken werden im Foto gesucht …</translation>
+    </message>
+    <message>
+        <source>{}: {} between {} and {} at {} degrees ({})</source>
+        <translation>{}: {} zwischen {} und {} bei {} Grad ({})</translation>
+    </message>
+    <message>
+        <source>{}: {} between {} and {} at {} degrees</source>
+        <translation>{}: {} zwischen {} und {} bei {} Grad</translation>
+    </message>
+    <message>
+        <source>{} between {} and {} at {} degrees ({})</source>
+        <translation>{} zwischen {} und {} bei {} Grad ({})</translation>
+    </message>
+    <message>
+        <source>{} between {} and {} at {} degrees</source>
+        <translation>{} zwischen {} und {} bei {} Grad</translation>
+    </message>
+    <message>
+        <source>finger</source>
+        <translation>Zinken</translation>
+    </message>
+    <message>
+        <source>half lap</source>
+        <translation>Überblattung</translation>
+    </message>
+    <message>
+        <source>tab slot</source>
+        <translation>Zapfen und Schlitz</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine Verbindung</translation>
+    </message>
+    <message>
+        <source>{} degrees; fingers hold from 30 to 150 degrees</source>
+        <translation>{} Grad; Zinken halten von 30 bis 150 Grad</translation>
+    </message>
+    <message>
+        <source>{} mm clear of the corners; fingers need {} mm at least</source>
+        <translation>{} mm zwischen den Ecken; Zinken brauchen mindestens {} mm</translation>
+    </message>
+    <message>
+        <source>fingers would cut {} into pieces</source>
+        <translation>Zinken würden {} zerteilen</translation>
+    </message>
+    <message>
+        <source>begin with {}</source>
+        <translation>mit {} beginnen</translation>
+    </message>
+    <message>
+        <source>put {} on, moving along ({}, {}, {})</source>
+        <translation>{} ansetzen, in Richtung ({}, {}, {})</translation>
+    </message>
+    <message>
+        <source>cannot be put together: {} lock each other</source>
+        <translation>lässt sich nicht zusammensetzen: {} sperren einander</translation>
+    </message>
+    <message>
+        <source>a butt joint between them</source>
+        <translation>eine stumpfe Verbindung zwischen ihnen</translation>
+    </message>
+    <message>
+        <source>finger at a corner: {} mm wide, its cut path {} mm</source>
+        <translation>Zinken an einer Ecke: {} mm breit, sein Schnittweg {} mm</translation>
+    </message>
+    <message>
+        <source>notch at a corner: {} mm wide, its cut path {} mm</source>
+        <translation>Kerbe an einer Ecke: {} mm breit, ihr Schnittweg {} mm</translation>
+    </message>
+    <message>
+        <source>tab: {} mm wide, its cut path {} mm</source>
+        <translation>Zapfen: {} mm breit, sein Schnittweg {} mm</translation>
+    </message>
+    <message>
+        <source>slot: {} x {} mm, its cut path {} x {} mm</source>
+        <translation>Schlitz: {} x {} mm, sein Schnittweg {} x {} mm</translation>
+    </message>
+    <message>
+        <source>kerf {} mm: paths lie {} mm outside of outlines and inside of holes</source>
+        <translation>Schnittfuge {} mm: Wege liegen {} mm außerhalb der Umrisse und innerhalb der Löcher</translation>
+    </message>
+    <message>
+        <source>kerf 0 mm: paths are the finished sizes; whoever cuts has to allow for the beam</source>
+        <translation>Schnittfuge 0 mm: Wege haben die Fertigmaße; wer schneidet, muss den Strahl berücksichtigen</translation>
+    </message>
+    <message>
+        <source>play {} mm: between a finger and its notch, a tab and its slot, there are {} mm on each side</source>
+        <translation>Spiel {} mm: zwischen Zinken und Kerbe, Zapfen und Schlitz sind auf jeder Seite {} mm</translation>
+    </message>
+    <message>
+        <source>{} for a cutter of {} mm: cuts {} mm beyond the sides of inner corners</source>
+        <translation>{} für einen Fräser von {} mm: schneidet {} mm über die Seiten innerer Ecken hinaus</translation>
+    </message>
+    <message>
+        <source>dog bone</source>
+        <translation>Hundeknochen</translation>
+    </message>
+    <message>
+        <source>T-bone</source>
+        <translation>T-Knochen</translation>
+    </message>
+    <message>
+        <source>it stands: its centre of mass lies {0} mm within what it stands on; it tips {1} when the ground leans by {2} degrees</source>
+        <translation>es steht: der Schwerpunkt liegt {0} mm innerhalb der Standfläche; es kippt {1}, wenn sich der Boden um {2} Grad neigt</translation>
+    </message>
+    <message>
+        <source>it stands (easily knocked over): its centre of mass lies {0} mm within what it stands on; it tips {1} when the ground leans by {2} degrees</source>
+        <translation>es steht (leicht umzuwerfen): der Schwerpunkt liegt {0} mm innerhalb der Standfläche; es kippt {1}, wenn sich der Boden um {2} Grad neigt</translation>
+    </message>
+    <message>
+        <source>it does not stand: it touches the ground in a line only, and tips {}</source>
+        <translation>es steht nicht: es berührt den Boden nur in einer Linie und kippt {}</translation>
+    </message>
+    <message>
+        <source>it does not stand: it tips {}, its centre of mass lies {} mm beyond what it stands on</source>
+        <translation>es steht nicht: es kippt {}, der Schwerpunkt liegt {} mm außerhalb der Standfläche</translation>
+    </message>
+    <message>
+        <source>upwards</source>
+        <translation>nach oben</translation>
+    </message>
+    <message>
+        <source>to the left</source>
+        <translation>nach links</translation>
+    </message>
+    <message>
+        <source>to the right</source>
+        <translation>nach rechts</translation>
+    </message>
+    <message>
+        <source>to the front</source>
+        <translation>nach vorn</translation>
+    </message>
+    <message>
+        <source>to the back</source>
+        <translation>nach hinten</translation>
+    </message>
+    <message>
+        <source>nothing to fit to: trace what is there, and make it construction</source>
+        <translation>nichts, wozu es passen soll: nachzeichnen, was da ist, und zu Hilfsgeometrie machen</translation>
+    </message>
+    <message>
+        <source>{} (which will stand {} mm higher)</source>
+        <translation>{} (steht dann {} mm höher)</translation>
+    </message>
+    <message>
+        <source>{}: lies on the ground, nothing runs into it</source>
+        <translation>{}: liegt auf dem Boden, nichts stößt daran</translation>
+    </message>
+    <message>
+        <source>{}: does not fit, it reaches {}; one pixel of the photo is {} mm there</source>
+        <translation>{}: passt nicht, es reicht {}; ein Pixel des Fotos ist dort {} mm</translation>
+    </message>
+    <message>
+        <source>{}: does not fit, it reaches {}</source>
+        <translation>{}: passt nicht, es reicht {}</translation>
+    </message>
+    <message>
+        <source>{}: fits, {}; room: {}; one pixel of the photo is {} mm there</source>
+        <translation>{}: passt, {}; Platz: {}; ein Pixel des Fotos ist dort {} mm</translation>
+    </message>
+    <message>
+        <source>{}: fits, {}; one pixel of the photo is {} mm there</source>
+        <translation>{}: passt, {}; ein Pixel des Fotos ist dort {} mm</translation>
+    </message>
+    <message>
+        <source>{}: fits, {}; room: {}</source>
+        <translation>{}: passt, {}; Platz: {}</translation>
+    </message>
+    <message>
+        <source>{}: fits, {}</source>
+        <translation>{}: passt, {}</translation>
+    </message>
+    <message>
+        <source>nothing near</source>
+        <translation>nichts in der Nähe</translation>
+    </message>
+    <message>
+        <source>touches {}</source>
+        <translation>berührt {}</translation>
+    </message>
+    <message>
+        <source>{0} mm from {1}</source>
+        <translation>{0} mm von {1}</translation>
+    </message>
+    <message>
+        <source>{0} mm into {1}</source>
+        <translation>{0} mm in {1} hinein</translation>
+    </message>
+    <message>
+        <source>free {}</source>
+        <translation>frei {}</translation>
+    </message>
+    <message>
+        <source>{} mm left</source>
+        <translation>{} mm links</translation>
+    </message>
+    <message>
+        <source>{} mm right</source>
+        <translation>{} mm rechts</translation>
+    </message>
+    <message>
+        <source>{} mm front</source>
+        <translation>{} mm vorn</translation>
+    </message>
+    <message>
+        <source>{} mm back</source>
+        <translation>{} mm hinten</translation>
+    </message>
+    <message>
+        <source>{} mm up</source>
+        <translation>{} mm oben</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>vorn</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>hinten</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>mark {}</source>
+        <translation>Marke {}</translation>
+    </message>
+    <message>
+        <source>block {}</source>
+        <translation>Quader {}</translation>
+    </message>
+    <message>
+        <source>surface {}</source>
+        <translation>Fläche {}</translation>
+    </message>
+    <message>
+        <source>cylinder {}</source>
+        <translation>Zylinder {}</translation>
+    </message>
+    <message>
+        <source>{} is held by glue alone ({})</source>
+        <translation>{} hält nur durch Leim ({})</translation>
+    </message>
+    <message>
+        <source>{} is held by one joint only ({}); glue it</source>
+        <translation>{} hält nur an einer Verbindung ({}); bitte leimen</translation>
+    </message>
+    <message>
+        <source>nothing joins these to one another: {}</source>
+        <translation>nichts verbindet diese miteinander: {}</translation>
+    </message>
+    <message>
+        <source>{0} is thinner than {1} mm about ({2}, {3}) mm from its corner: it breaks there</source>
+        <translation>{0} ist etwa ({1}, {2}) mm von der Ecke dünner als {3} mm: dort bricht es</translation>
+    </message>
+    <message>
+        <source>walls are thinner than the printer's line of {0} mm from {1} to {2} mm above the lowest point: they are not printed there</source>
+        <translation>Wände sind {1} bis {2} mm über dem tiefsten Punkt dünner als die Linie des Druckers von {0} mm: dort werden sie nicht gedruckt</translation>
+    </message>
+    <message>
+        <source>the photo {} lies outside the sketch's folder and is not opened</source>
+        <translation>das Foto {} liegt außerhalb des Ordners der Skizze und wird nicht geöffnet</translation>
+    </message>
+    <message>
+        <source>the photo {} is not there; it is left out</source>
+        <translation>das Foto {} ist nicht da; es wird weggelassen</translation>
+    </message>
+    <message>
+        <source>the photo {} cannot be opened: {}</source>
+        <translation>das Foto {} lässt sich nicht öffnen: {}</translation>
+    </message>
+    <message>
+        <source>the photo {} cannot be read: {}</source>
+        <translation>das Foto {} lässt sich nicht lesen: {}</translation>
+    </message>
+    <message>
+        <source>the photo {} has {} megapixels, more than {}</source>
+        <translation>das Foto {} hat {} Megapixel, mehr als {}</translation>
+    </message>
+    <message>
+        <source>a smaller copy of it</source>
+        <translation>eine kleinere Kopie davon</translation>
+    </message>
+    <message>
+        <source>cannot read the photo {}: {}</source>
+        <translation>das Foto {} lässt sich nicht lesen: {}</translation>
+    </message>
+    <message>
+        <source>save it as JPEG or PNG (read here are {})</source>
+        <translation>als JPEG oder PNG speichern (lesbar sind hier {})</translation>
+    </message>
+    <message>
+        <source>it is no picture</source>
+        <translation>es ist kein Bild</translation>
+    </message>
+    <message>
+        <source>the photo is {} x {} px, the sketch says {} x {}</source>
+        <translation>das Foto hat {} x {} px, die Skizze nennt {} x {}</translation>
+    </message>
+    <message>
+        <source>{} is {}, not an object</source>
+        <translation>{} ist {}, kein Objekt</translation>
+    </message>
+    <message>
+        <source>{} is {}, not a list</source>
+        <translation>{} ist {}, keine Liste</translation>
+    </message>
+    <message>
+        <source>{} is {}, not a number</source>
+        <translation>{} ist {}, keine Zahl</translation>
+    </message>
+    <message>
+        <source>{} is {}, not an id</source>
+        <translation>{} ist {}, keine Kennung</translation>
+    </message>
+    <message>
+        <source>{} is {}, too large</source>
+        <translation>{} ist {}, zu groß</translation>
+    </message>
+    <message>
+        <source>{} is not a rotation</source>
+        <translation>{} ist keine Drehung</translation>
+    </message>
+    <message>
+        <source>{} is not a name</source>
+        <translation>{} ist kein Name</translation>
+    </message>
+    <message>
+        <source>{} is not finite</source>
+        <translation>{} ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>{} is not an id</source>
+        <translation>{} ist keine Kennung</translation>
+    </message>
+    <message>
+        <source>{} is not a list of ids</source>
+        <translation>{} ist keine Liste von Kennungen</translation>
+    </message>
+    <message>
+        <source>{} is not a line of text</source>
+        <translation>{} ist keine Textzeile</translation>
+    </message>
+    <message>
+        <source>{}: an id has 1 to {} characters</source>
+        <translation>{}: eine Kennung hat 1 bis {} Zeichen</translation>
+    </message>
+    <message>
+        <source>{}: an id has no spaces, control characters or '@'</source>
+        <translation>{}: eine Kennung hat keine Leerzeichen, Steuerzeichen oder '@'</translation>
+    </message>
+    <message>
+        <source>{} has {} entries</source>
+        <translation>{} hat {} Einträge</translation>
+    </message>
+    <message>
+        <source>{} lacks {}</source>
+        <translation>{} fehlt {}</translation>
+    </message>
+    <message>
+        <source>{} has an unknown key {}</source>
+        <translation>{} hat einen unbekannten Schlüssel {}</translation>
+    </message>
+    <message>
+        <source>version {} is newer than this program, which knows {}</source>
+        <translation>Version {} ist neuer als dieses Programm, das {} kennt</translation>
+    </message>
+    <message>
+        <source>update Modeling in Context</source>
+        <translation>Modeling in Context aktualisieren</translation>
+    </message>
+    <message>
+        <source>a short id</source>
+        <translation>eine kurze Kennung</translation>
+    </message>
+    <message>
+        <source>a short text</source>
+        <translation>ein kurzer Text</translation>
+    </message>
+    <message>
+        <source>a short text, {}</source>
+        <translation>ein kurzer Text, {}</translation>
+    </message>
+    <message>
+        <source>letters, digits</source>
+        <translation>Buchstaben, Ziffern</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>true/false</source>
+        <translation>true/false</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>eine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>a number up to {}</source>
+        <translation>eine Zahl bis {}</translation>
+    </message>
+    <message>
+        <source>a number above {}</source>
+        <translation>eine Zahl über {}</translation>
+    </message>
+    <message>
+        <source>a whole number of pixels</source>
+        <translation>eine ganze Zahl von Pixeln</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>at least {} entries</source>
+        <translation>mindestens {} Einträge</translation>
+    </message>
+    <message>
+        <source>{} entries</source>
+        <translation>{} Einträge</translation>
+    </message>
+    <message>
+        <source>add it</source>
+        <translation>hinzufügen</translation>
+    </message>
+    <message>
+        <source>add it, or name another</source>
+        <translation>hinzufügen oder etwas anderes nennen</translation>
+    </message>
+    <message>
+        <source>one of {}</source>
+        <translation>eines von {}</translation>
+    </message>
+    <message>
+        <source>a file of format {}</source>
+        <translation>eine Datei im Format {}</translation>
+    </message>
+    <message>
+        <source>a version from 1 to {}</source>
+        <translation>eine Version von 1 bis {}</translation>
+    </message>
+    <message>
+        <source>three perpendicular rows of length 1</source>
+        <translation>drei senkrechte Zeilen der Länge 1</translation>
+    </message>
+    <message>
+        <source>the photo's file name, or null</source>
+        <translation>der Dateiname des Fotos oder null</translation>
+    </message>
+    <message>
+        <source>an edge and a circle share an id</source>
+        <translation>eine Kante und ein Kreis haben dieselbe Kennung</translation>
+    </message>
+    <message>
+        <source>rename one of them</source>
+        <translation>eines umbenennen</translation>
+    </message>
+    <message>
+        <source>more than {0} {1}</source>
+        <translation>mehr als {0} {1}</translation>
+    </message>
+    <message>
+        <source>a smaller sketch</source>
+        <translation>eine kleinere Skizze</translation>
+    </message>
+    <message>
+        <source>{} names a {} that is not there</source>
+        <translation>{} nennt {}: das gibt es nicht</translation>
+    </message>
+    <message>
+        <source>annotation {} names a face with mirrored corners</source>
+        <translation>Angabe {} nennt eine Fläche mit gespiegelten Ecken</translation>
+    </message>
+    <message>
+        <source>draw its corners</source>
+        <translation>ihre Ecken zeichnen</translation>
+    </message>
+    <message>
+        <source>an edge begins and ends at one vertex</source>
+        <translation>eine Kante beginnt und endet am selben Punkt</translation>
+    </message>
+    <message>
+        <source>delete it</source>
+        <translation>löschen</translation>
+    </message>
+    <message>
+        <source>two edges join the same vertices</source>
+        <translation>zwei Kanten verbinden dieselben Punkte</translation>
+    </message>
+    <message>
+        <source>delete one</source>
+        <translation>eine löschen</translation>
+    </message>
+    <message>
+        <source>face {} passes a vertex twice</source>
+        <translation>Fläche {} läuft zweimal durch einen Punkt</translation>
+    </message>
+    <message>
+        <source>split the face</source>
+        <translation>die Fläche teilen</translation>
+    </message>
+    <message>
+        <source>annotation {} names one {} twice</source>
+        <translation>Angabe {} nennt {} zweimal</translation>
+    </message>
+    <message>
+        <source>name it once</source>
+        <translation>einmal nennen</translation>
+    </message>
+    <message>
+        <source>annotation {}: edge {} does not end at {}</source>
+        <translation>Angabe {}: Kante {} endet nicht bei {}</translation>
+    </message>
+    <message>
+        <source>two edges that meet at the vertex</source>
+        <translation>zwei Kanten, die sich in dem Punkt treffen</translation>
+    </message>
+    <message>
+        <source>{} has too few vertices, or one twice</source>
+        <translation>{} hat zu wenige Punkte oder einen doppelt</translation>
+    </message>
+    <message>
+        <source>solve again</source>
+        <translation>noch einmal lösen</translation>
+    </message>
+    <message>
+        <source>{} is a folder, not a file</source>
+        <translation>{} ist ein Ordner, keine Datei</translation>
+    </message>
+    <message>
+        <source>a file in it, {}</source>
+        <translation>eine Datei darin, {}</translation>
+    </message>
+    <message>
+        <source>{} is larger than {} MB</source>
+        <translation>{} ist größer als {} MB</translation>
+    </message>
+    <message>
+        <source>a sketch file</source>
+        <translation>eine Skizzendatei</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>save the sketch again</source>
+        <translation>die Skizze noch einmal speichern</translation>
+    </message>
+    <message>
+        <source>a key stands twice in one object</source>
+        <translation>ein Schlüssel steht zweimal in einem Objekt</translation>
+    </message>
+    <message>
+        <source>keep one of them</source>
+        <translation>einen behalten</translation>
+    </message>
+    <message>
+        <source>cannot read {}: {}</source>
+        <translation>{} lässt sich nicht lesen: {}</translation>
+    </message>
+    <message>
+        <source>check the name</source>
+        <translation>den Namen prüfen</translation>
+    </message>
+    <message>
+        <source>{} is not UTF-8 text (byte {})</source>
+        <translation>{} ist kein UTF-8-Text (Byte {})</translation>
+    </message>
+    <message>
+        <source>a sketch file, saved as UTF-8</source>
+        <translation>eine Skizzendatei, als UTF-8 gespeichert</translation>
+    </message>
+    <message>
+        <source>not JSON: {} at line {}, column {}</source>
+        <translation>kein JSON: {} in Zeile {}, Spalte {}</translation>
+    </message>
+    <message>
+        <source>not JSON: {}</source>
+        <translation>kein JSON: {}</translation>
+    </message>
+    <message>
+        <source>the whole file: this one is cut off</source>
+        <translation>die ganze Datei: diese ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>correct the text there</source>
+        <translation>den Text dort berichtigen</translation>
+    </message>
+    <message>
+        <source>ordinary numbers</source>
+        <translation>gewöhnliche Zahlen</translation>
+    </message>
+    <message>
+        <source>nested too deeply to be a sketch</source>
+        <translation>zu tief verschachtelt für eine Skizze</translation>
+    </message>
+    <message>
+        <source>there is no such element in the sketch</source>
+        <translation>das gibt es in der Skizze nicht</translation>
+    </message>
+    <message>
+        <source>edges that do not meet make no angle</source>
+        <translation>Kanten, die sich nicht treffen, bilden keinen Winkel</translation>
+    </message>
+    <message>
+        <source>two that meet</source>
+        <translation>zwei, die sich treffen</translation>
+    </message>
+    <message>
+        <source>an angle of {0} degrees between {1} and {2}</source>
+        <translation>ein Winkel von {0} Grad zwischen {1} und {2}</translation>
+    </message>
+    <message>
+        <source>only right angles can be said; others follow from lengths</source>
+        <translation>nur rechte Winkel lassen sich angeben; andere folgen aus Längen</translation>
+    </message>
+    <message>
+        <source>nothing on the ground is known to be right below {}</source>
+        <translation>von nichts am Boden ist bekannt, dass es genau unter {} liegt</translation>
+    </message>
+    <message>
+        <source>draw an upright edge from the ground to there</source>
+        <translation>eine senkrechte Kante vom Boden dorthin zeichnen</translation>
+    </message>
+    <message>
+        <source>a {} of {} mm</source>
+        <translation>{}: {} mm</translation>
+    </message>
+    <message>
+        <source>a {} above 0</source>
+        <translation>{} über 0</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>one above 0</source>
+        <translation>eine über 0</translation>
+    </message>
+    <message>
+        <source>a side of fewer than two points</source>
+        <translation>eine Seite aus weniger als zwei Punkten</translation>
+    </message>
+    <message>
+        <source>draw it from bottom to top</source>
+        <translation>von unten nach oben zeichnen</translation>
+    </message>
+    <message>
+        <source>these corners are {0} px off any rectangle of {1} x {2} mm</source>
+        <translation>diese Ecken liegen {0} px neben jedem Rechteck von {1} x {2} mm</translation>
+    </message>
+    <message>
+        <source>check the size, and click the four corners again</source>
+        <translation>die Größe prüfen und die vier Ecken neu anklicken</translation>
+    </message>
+    <message>
+        <source>a rectangle of {} x {} mm is none</source>
+        <translation>ein Rechteck von {} x {} mm ist keines</translation>
+    </message>
+    <message>
+        <source>sides above 0 mm</source>
+        <translation>Seiten über 0 mm</translation>
+    </message>
+    <message>
+        <source>a rectangle has four corners</source>
+        <translation>ein Rechteck hat vier Ecken</translation>
+    </message>
+    <message>
+        <source>click each of them once</source>
+        <translation>jede einmal anklicken</translation>
+    </message>
+    <message>
+        <source>two corners are almost in one place</source>
+        <translation>zwei Ecken liegen fast am selben Ort</translation>
+    </message>
+    <message>
+        <source>click four different corners, zoomed in</source>
+        <translation>vier verschiedene Ecken anklicken, vergrößert</translation>
+    </message>
+    <message>
+        <source>these corners are no rectangle seen in perspective</source>
+        <translation>diese Ecken sind kein perspektivisch gesehenes Rechteck</translation>
+    </message>
+    <message>
+        <source>click the four outer corners of one flat rectangle, seen less from the side</source>
+        <translation>die vier äußeren Ecken eines flachen Rechtecks anklicken, weniger von der Seite gesehen</translation>
+    </message>
+    <message>
+        <source>vertex</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>edge</source>
+        <translation>Kante</translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>edge or circle</source>
+        <translation>Kante oder Kreis</translation>
+    </message>
+    <message>
+        <source>annotation {}</source>
+        <translation>Angabe {}</translation>
+    </message>
+    <message>
+        <source>edge {}</source>
+        <translation>Kante {}</translation>
+    </message>
+    <message>
+        <source>face {}</source>
+        <translation>Fläche {}</translation>
+    </message>
+    <message>
+        <source>revolution {}</source>
+        <translation>Drehkörper {}</translation>
+    </message>
+    <message>
+        <source>construction</source>
+        <translation>Hilfsgeometrie</translation>
+    </message>
+    <message>
+        <source>{} cannot be {}</source>
+        <translation>{} kann nicht {} sein</translation>
+    </message>
+    <message>
+        <source>owner {} or {}</source>
+        <translation>owner {} oder {}</translation>
+    </message>
+    <message>
+        <source>owner {}</source>
+        <translation>owner {}</translation>
+    </message>
+    <message>
+        <source>where these {0} faces meet in {1}, material cannot lie outside of them or in their middle: their planes, moved, meet in no point</source>
+        <translation>wo sich diese {0} Flächen in {1} treffen, kann kein Material außerhalb oder in ihrer Mitte liegen: ihre Ebenen treffen sich verschoben in keinem Punkt</translation>
+    </message>
+    <message>
+        <source>side inside, or one thickness for all of them</source>
+        <translation>Seite inside oder eine Dicke für alle</translation>
+    </message>
+    <message>
+        <source>a smaller kerf, or wider fingers</source>
+        <translation>eine kleinere Schnittfuge oder breitere Zinken</translation>
+    </message>
+    <message>
+        <source>the preset {} has no layers</source>
+        <translation>die Vorgabe {} hat keine Ebenen</translation>
+    </message>
+    <message>
+        <source>the preset {} names unknown layers</source>
+        <translation>die Vorgabe {} nennt unbekannte Ebenen</translation>
+    </message>
+    <message>
+        <source>the preset {} asks for a DXF that we do not write</source>
+        <translation>die Vorgabe {} verlangt ein DXF, das hier nicht geschrieben wird</translation>
+    </message>
+    <message>
+        <source>dxf "R2000" or "R12", lines true or false</source>
+        <translation>dxf "R2000" oder "R12", lines true oder false</translation>
+    </message>
+    <message>
+        <source>the preset {} says something unknown of a layer</source>
+        <translation>die Vorgabe {} sagt Unbekanntes über eine Ebene</translation>
+    </message>
+    <message>
+        <source>the preset {} has a wrong name or colour</source>
+        <translation>die Vorgabe {} hat einen falschen Namen oder eine falsche Farbe</translation>
+    </message>
+    <message>
+        <source>a name, aci from 1 to 255, rgb like #ff0000</source>
+        <translation>ein Name, aci von 1 bis 255, rgb wie #ff0000</translation>
+    </message>
+    <message>
+        <source>these faces do not stand at right angles to the others</source>
+        <translation>diese Flächen stehen nicht senkrecht auf den anderen</translation>
+    </message>
+    <message>
+        <source>right-angle annotations</source>
+        <translation>Angaben von rechten Winkeln</translation>
+    </message>
+    <message>
+        <source>a surface of revolution has no flat face to make a plate of</source>
+        <translation>eine Drehfläche hat keine ebene Fläche für eine Platte</translation>
+    </message>
+    <message>
+        <source>a print: a shelled solid, --print</source>
+        <translation>ein Druck: ein Hohlkörper, --print</translation>
+    </message>
+    <message>
+        <source>thinner plates, or butt joints at its edges</source>
+        <translation>dünnere Platten oder stumpfe Verbindungen an den Kanten</translation>
+    </message>
+    <message>
+        <source>there is no {} {}</source>
+        <translation>{} {} gibt es nicht</translation>
     </message>
 </context>
 </TS>

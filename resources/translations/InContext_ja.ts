@@ -1204,10 +1204,6 @@
         <translation>解けました。</translation>
     </message>
     <message>
-        <source>Some faces are half mirrored: draw their hidden edges too, then faces can be chosen</source>
-        <translation>半分だけ鏡映された面があります。隠れた辺も描くと面を選べます</translation>
-    </message>
-    <message>
         <source>Something else</source>
         <translation>その他</translation>
     </message>
@@ -1222,10 +1218,6 @@
     <message>
         <source>Stopped; nothing is installed.</source>
         <translation>中止しました。何もインストールされていません。</translation>
-    </message>
-    <message>
-        <source>Stopping ...</source>
-        <translation>停止しています...</translation>
     </message>
     <message>
         <source>Storage box for a chair</source>
@@ -2136,6 +2128,882 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
     <message>
         <source>{}; try: {}</source>
         <translation>{}。対処: {}</translation>
+    </message>
+    <message>
+        <source>Lifting the sketch to 3D ...</source>
+        <translation>スケッチを 3D に起こしています…</translation>
+    </message>
+    <message>
+        <source>Making the plates ...</source>
+        <translation>板を作成しています…</translation>
+    </message>
+    <message>
+        <source>Looking how the plates go together ...</source>
+        <translation>板の組み立て順を調べています…</translation>
+    </message>
+    <message>
+        <source>Making the solid; the first time takes some seconds ...</source>
+        <translation>立体を作成しています。最初は数秒かかります…</translation>
+    </message>
+    <message>
+        <source>Laying the plates out on sheets ...</source>
+        <translation>板を板材に配置しています…</translation>
+    </message>
+    <message>
+        <source>Writing the {} file ...</source>
+        <translation>{} ファイルを書き出しています…</translation>
+    </message>
+    <message>
+        <source>Checking the fit ...</source>
+        <translation>適合を確認しています…</translation>
+    </message>
+    <message>
+        <source>Looking at the traced lines in the photo ...</source>
+        <translation>写真の中のなぞった線を調べています…</translation>
+    </message>
+    <message>
+        <source>Straightening the photo ...</source>
+        <translation>写真の歪みを補正しています…</translation>
+    </message>
+    <message>
+        <source>Looking for the corners in the photo ...</source>
+        <translation>写真の中の角を探しています…</translation>
+    </message>
+    <message>
+        <source>{}: {} between {} and {} at {} degrees ({})</source>
+        <translation>{}: {}、{} と {} の間、{} 度（{}）</translation>
+    </message>
+    <message>
+        <source>{}: {} between {} and {} at {} degrees</source>
+        <translation>{}: {}、{} と {} の間、{} 度</translation>
+    </message>
+    <message>
+        <source>{} between {} and {} at {} degrees ({})</source>
+        <translation>{}、{} と {} の間、{} 度（{}）</translation>
+    </message>
+    <message>
+        <source>{} between {} and {} at {} degrees</source>
+        <translation>{}、{} と {} の間、{} 度</translation>
+    </message>
+    <message>
+        <source>finger</source>
+        <translation>ほぞ</translation>
+    </message>
+    <message>
+        <source>half lap</source>
+        <translation>相欠き</translation>
+    </message>
+    <message>
+        <source>tab slot</source>
+        <translation>差し込み</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>継手なし</translation>
+    </message>
+    <message>
+        <source>{} degrees; fingers hold from 30 to 150 degrees</source>
+        <translation>{} 度。ほぞが持つのは 30 〜 150 度です</translation>
+    </message>
+    <message>
+        <source>{} mm clear of the corners; fingers need {} mm at least</source>
+        <translation>角の間が {} mm。ほぞには少なくとも {} mm が必要です</translation>
+    </message>
+    <message>
+        <source>fingers would cut {} into pieces</source>
+        <translation>ほぞが {} を切り離してしまいます</translation>
+    </message>
+    <message>
+        <source>begin with {}</source>
+        <translation>{} から始める</translation>
+    </message>
+    <message>
+        <source>put {} on, moving along ({}, {}, {})</source>
+        <translation>{} を ({}, {}, {}) の向きに取り付ける</translation>
+    </message>
+    <message>
+        <source>cannot be put together: {} lock each other</source>
+        <translation>組み立てられません。{} が互いに妨げます</translation>
+    </message>
+    <message>
+        <source>a butt joint between them</source>
+        <translation>その間を突き付けにする</translation>
+    </message>
+    <message>
+        <source>finger at a corner: {} mm wide, its cut path {} mm</source>
+        <translation>角のほぞ: 幅 {} mm、切断線 {} mm</translation>
+    </message>
+    <message>
+        <source>notch at a corner: {} mm wide, its cut path {} mm</source>
+        <translation>角の切り欠き: 幅 {} mm、切断線 {} mm</translation>
+    </message>
+    <message>
+        <source>tab: {} mm wide, its cut path {} mm</source>
+        <translation>差し込むほぞ: 幅 {} mm、切断線 {} mm</translation>
+    </message>
+    <message>
+        <source>slot: {} x {} mm, its cut path {} x {} mm</source>
+        <translation>溝: {} x {} mm、切断線 {} x {} mm</translation>
+    </message>
+    <message>
+        <source>kerf {} mm: paths lie {} mm outside of outlines and inside of holes</source>
+        <translation>切り幅 {} mm: 切断線は外形の外側、穴の内側に {} mm ずれます</translation>
+    </message>
+    <message>
+        <source>kerf 0 mm: paths are the finished sizes; whoever cuts has to allow for the beam</source>
+        <translation>切り幅 0 mm: 切断線は仕上がり寸法です。切る人が刃の幅を見込みます</translation>
+    </message>
+    <message>
+        <source>play {} mm: between a finger and its notch, a tab and its slot, there are {} mm on each side</source>
+        <translation>あそび {} mm: ほぞと切り欠き、差し込みと溝の間は両側 {} mm ずつです</translation>
+    </message>
+    <message>
+        <source>{} for a cutter of {} mm: cuts {} mm beyond the sides of inner corners</source>
+        <translation>{}（刃 {} mm）: 内側の角を {} mm 越えて切ります</translation>
+    </message>
+    <message>
+        <source>dog bone</source>
+        <translation>ドッグボーン</translation>
+    </message>
+    <message>
+        <source>T-bone</source>
+        <translation>T ボーン</translation>
+    </message>
+    <message>
+        <source>it stands: its centre of mass lies {0} mm within what it stands on; it tips {1} when the ground leans by {2} degrees</source>
+        <translation>立ちます。重心は接地面の内側 {0} mm。地面が {2} 度傾くと{1}倒れます</translation>
+    </message>
+    <message>
+        <source>it stands (easily knocked over): its centre of mass lies {0} mm within what it stands on; it tips {1} when the ground leans by {2} degrees</source>
+        <translation>立ちます（倒れやすい）。重心は接地面の内側 {0} mm。地面が {2} 度傾くと{1}倒れます</translation>
+    </message>
+    <message>
+        <source>it does not stand: it touches the ground in a line only, and tips {}</source>
+        <translation>立ちません。地面に線でしか接せず、{}倒れます</translation>
+    </message>
+    <message>
+        <source>it does not stand: it tips {}, its centre of mass lies {} mm beyond what it stands on</source>
+        <translation>立ちません。{}倒れます。重心は接地面の外側 {} mm です</translation>
+    </message>
+    <message>
+        <source>upwards</source>
+        <translation>上へ</translation>
+    </message>
+    <message>
+        <source>to the left</source>
+        <translation>左へ</translation>
+    </message>
+    <message>
+        <source>to the right</source>
+        <translation>右へ</translation>
+    </message>
+    <message>
+        <source>to the front</source>
+        <translation>手前へ</translation>
+    </message>
+    <message>
+        <source>to the back</source>
+        <translation>奥へ</translation>
+    </message>
+    <message>
+        <source>nothing to fit to: trace what is there, and make it construction</source>
+        <translation>合わせる物がありません。そこにある物をなぞり、補助線にしてください</translation>
+    </message>
+    <message>
+        <source>{} (which will stand {} mm higher)</source>
+        <translation>{}（{} mm 高くなります）</translation>
+    </message>
+    <message>
+        <source>{}: lies on the ground, nothing runs into it</source>
+        <translation>{}: 地面にあり、何もぶつかりません</translation>
+    </message>
+    <message>
+        <source>{}: does not fit, it reaches {}; one pixel of the photo is {} mm there</source>
+        <translation>{}: 収まりません。{}。写真の 1 px はそこで {} mm です</translation>
+    </message>
+    <message>
+        <source>{}: does not fit, it reaches {}</source>
+        <translation>{}: 収まりません。{}</translation>
+    </message>
+    <message>
+        <source>{}: fits, {}; room: {}; one pixel of the photo is {} mm there</source>
+        <translation>{}: 収まります。{}。余裕: {}。写真の 1 px はそこで {} mm です</translation>
+    </message>
+    <message>
+        <source>{}: fits, {}; one pixel of the photo is {} mm there</source>
+        <translation>{}: 収まります。{}。写真の 1 px はそこで {} mm です</translation>
+    </message>
+    <message>
+        <source>{}: fits, {}; room: {}</source>
+        <translation>{}: 収まります。{}。余裕: {}</translation>
+    </message>
+    <message>
+        <source>{}: fits, {}</source>
+        <translation>{}: 収まります。{}</translation>
+    </message>
+    <message>
+        <source>nothing near</source>
+        <translation>近くに何もありません</translation>
+    </message>
+    <message>
+        <source>touches {}</source>
+        <translation>{} に接しています</translation>
+    </message>
+    <message>
+        <source>{0} mm from {1}</source>
+        <translation>{1} から {0} mm</translation>
+    </message>
+    <message>
+        <source>{0} mm into {1}</source>
+        <translation>{1} に {0} mm 食い込みます</translation>
+    </message>
+    <message>
+        <source>free {}</source>
+        <translation>{}は空き</translation>
+    </message>
+    <message>
+        <source>{} mm left</source>
+        <translation>左 {} mm</translation>
+    </message>
+    <message>
+        <source>{} mm right</source>
+        <translation>右 {} mm</translation>
+    </message>
+    <message>
+        <source>{} mm front</source>
+        <translation>手前 {} mm</translation>
+    </message>
+    <message>
+        <source>{} mm back</source>
+        <translation>奥 {} mm</translation>
+    </message>
+    <message>
+        <source>{} mm up</source>
+        <translation>上 {} mm</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>手前</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>奥</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>mark {}</source>
+        <translation>印 {}</translation>
+    </message>
+    <message>
+        <source>block {}</source>
+        <translation>箱 {}</translation>
+    </message>
+    <message>
+        <source>surface {}</source>
+        <translation>面 {}</translation>
+    </message>
+    <message>
+        <source>cylinder {}</source>
+        <translation>円柱 {}</translation>
+    </message>
+    <message>
+        <source>{} is held by glue alone ({})</source>
+        <translation>{} は接着だけで留まります（{}）</translation>
+    </message>
+    <message>
+        <source>{} is held by one joint only ({}); glue it</source>
+        <translation>{} は一か所の継手だけで留まります（{}）。接着してください</translation>
+    </message>
+    <message>
+        <source>nothing joins these to one another: {}</source>
+        <translation>これらをつなぐものがありません: {}</translation>
+    </message>
+    <message>
+        <source>{0} is thinner than {1} mm about ({2}, {3}) mm from its corner: it breaks there</source>
+        <translation>{0} は角から ({2}, {3}) mm のあたりで {1} mm より細く、そこで折れます</translation>
+    </message>
+    <message>
+        <source>walls are thinner than the printer's line of {0} mm from {1} to {2} mm above the lowest point: they are not printed there</source>
+        <translation>最も低い点から {1} 〜 {2} mm の壁がプリンターの線幅 {0} mm より薄く、印刷されません</translation>
+    </message>
+    <message>
+        <source>the photo {} lies outside the sketch's folder and is not opened</source>
+        <translation>写真 {} はスケッチのフォルダーの外にあるため開きません</translation>
+    </message>
+    <message>
+        <source>the photo {} is not there; it is left out</source>
+        <translation>写真 {} がありません。なしで続けます</translation>
+    </message>
+    <message>
+        <source>the photo {} cannot be opened: {}</source>
+        <translation>写真 {} を開けません: {}</translation>
+    </message>
+    <message>
+        <source>the photo {} cannot be read: {}</source>
+        <translation>写真 {} を読めません: {}</translation>
+    </message>
+    <message>
+        <source>the photo {} has {} megapixels, more than {}</source>
+        <translation>写真 {} は {} メガピクセルで、{} を超えています</translation>
+    </message>
+    <message>
+        <source>a smaller copy of it</source>
+        <translation>縮小したコピーを使う</translation>
+    </message>
+    <message>
+        <source>cannot read the photo {}: {}</source>
+        <translation>写真 {} を読めません: {}</translation>
+    </message>
+    <message>
+        <source>save it as JPEG or PNG (read here are {})</source>
+        <translation>JPEG か PNG で保存する（ここで読めるのは {}）</translation>
+    </message>
+    <message>
+        <source>it is no picture</source>
+        <translation>画像ではありません</translation>
+    </message>
+    <message>
+        <source>the photo is {} x {} px, the sketch says {} x {}</source>
+        <translation>写真は {} x {} px ですが、スケッチでは {} x {} です</translation>
+    </message>
+    <message>
+        <source>{} is {}, not an object</source>
+        <translation>{} は {} で、オブジェクトではありません</translation>
+    </message>
+    <message>
+        <source>{} is {}, not a list</source>
+        <translation>{} は {} で、リストではありません</translation>
+    </message>
+    <message>
+        <source>{} is {}, not a number</source>
+        <translation>{} は {} で、数ではありません</translation>
+    </message>
+    <message>
+        <source>{} is {}, not an id</source>
+        <translation>{} は {} で、ID ではありません</translation>
+    </message>
+    <message>
+        <source>{} is {}, too large</source>
+        <translation>{} は {} で、大きすぎます</translation>
+    </message>
+    <message>
+        <source>{} is not a rotation</source>
+        <translation>{} は回転ではありません</translation>
+    </message>
+    <message>
+        <source>{} is not a name</source>
+        <translation>{} は名前ではありません</translation>
+    </message>
+    <message>
+        <source>{} is not finite</source>
+        <translation>{} は有限の数ではありません</translation>
+    </message>
+    <message>
+        <source>{} is not an id</source>
+        <translation>{} は ID ではありません</translation>
+    </message>
+    <message>
+        <source>{} is not a list of ids</source>
+        <translation>{} は ID のリストではありません</translation>
+    </message>
+    <message>
+        <source>{} is not a line of text</source>
+        <translation>{} は一行の文字ではありません</translation>
+    </message>
+    <message>
+        <source>{}: an id has 1 to {} characters</source>
+        <translation>{}: ID は 1 〜 {} 文字です</translation>
+    </message>
+    <message>
+        <source>{}: an id has no spaces, control characters or '@'</source>
+        <translation>{}: ID に空白、制御文字、'@' は使えません</translation>
+    </message>
+    <message>
+        <source>{} has {} entries</source>
+        <translation>{} の要素は {} 個です</translation>
+    </message>
+    <message>
+        <source>{} lacks {}</source>
+        <translation>{} に {} がありません</translation>
+    </message>
+    <message>
+        <source>{} has an unknown key {}</source>
+        <translation>{} に知らないキー {} があります</translation>
+    </message>
+    <message>
+        <source>version {} is newer than this program, which knows {}</source>
+        <translation>バージョン {} はこのプログラム（{} まで）より新しいものです</translation>
+    </message>
+    <message>
+        <source>update Modeling in Context</source>
+        <translation>Modeling in Context を更新する</translation>
+    </message>
+    <message>
+        <source>a short id</source>
+        <translation>短い ID</translation>
+    </message>
+    <message>
+        <source>a short text</source>
+        <translation>短い文字</translation>
+    </message>
+    <message>
+        <source>a short text, {}</source>
+        <translation>短い文字、{}</translation>
+    </message>
+    <message>
+        <source>letters, digits</source>
+        <translation>文字と数字</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>オブジェクト</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>リスト</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>文字</translation>
+    </message>
+    <message>
+        <source>true/false</source>
+        <translation>true/false</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>数</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>有限の数</translation>
+    </message>
+    <message>
+        <source>a number up to {}</source>
+        <translation>{} までの数</translation>
+    </message>
+    <message>
+        <source>a number above {}</source>
+        <translation>{} より大きい数</translation>
+    </message>
+    <message>
+        <source>a whole number of pixels</source>
+        <translation>整数のピクセル数</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>整数</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true か false</translation>
+    </message>
+    <message>
+        <source>at least {} entries</source>
+        <translation>少なくとも {} 個</translation>
+    </message>
+    <message>
+        <source>{} entries</source>
+        <translation>{} 個</translation>
+    </message>
+    <message>
+        <source>add it</source>
+        <translation>追加する</translation>
+    </message>
+    <message>
+        <source>add it, or name another</source>
+        <translation>追加するか、別のものにする</translation>
+    </message>
+    <message>
+        <source>one of {}</source>
+        <translation>次のどれか: {}</translation>
+    </message>
+    <message>
+        <source>a file of format {}</source>
+        <translation>形式 {} のファイル</translation>
+    </message>
+    <message>
+        <source>a version from 1 to {}</source>
+        <translation>1 〜 {} のバージョン</translation>
+    </message>
+    <message>
+        <source>three perpendicular rows of length 1</source>
+        <translation>長さ 1 で互いに垂直な 3 行</translation>
+    </message>
+    <message>
+        <source>the photo's file name, or null</source>
+        <translation>写真のファイル名か null</translation>
+    </message>
+    <message>
+        <source>an edge and a circle share an id</source>
+        <translation>辺と円の ID が同じです</translation>
+    </message>
+    <message>
+        <source>rename one of them</source>
+        <translation>片方の名前を変える</translation>
+    </message>
+    <message>
+        <source>more than {0} {1}</source>
+        <translation>{1} が {0} を超えています</translation>
+    </message>
+    <message>
+        <source>a smaller sketch</source>
+        <translation>小さいスケッチ</translation>
+    </message>
+    <message>
+        <source>{} names a {} that is not there</source>
+        <translation>{} が指す {} がありません</translation>
+    </message>
+    <message>
+        <source>annotation {} names a face with mirrored corners</source>
+        <translation>注釈 {} が鏡像の角をもつ面を指しています</translation>
+    </message>
+    <message>
+        <source>draw its corners</source>
+        <translation>その角を描く</translation>
+    </message>
+    <message>
+        <source>an edge begins and ends at one vertex</source>
+        <translation>辺の両端が同じ頂点です</translation>
+    </message>
+    <message>
+        <source>delete it</source>
+        <translation>削除する</translation>
+    </message>
+    <message>
+        <source>two edges join the same vertices</source>
+        <translation>二つの辺が同じ頂点を結んでいます</translation>
+    </message>
+    <message>
+        <source>delete one</source>
+        <translation>片方を削除する</translation>
+    </message>
+    <message>
+        <source>face {} passes a vertex twice</source>
+        <translation>面 {} が同じ頂点を二度通ります</translation>
+    </message>
+    <message>
+        <source>split the face</source>
+        <translation>面を分ける</translation>
+    </message>
+    <message>
+        <source>annotation {} names one {} twice</source>
+        <translation>注釈 {} が同じ {} を二度指しています</translation>
+    </message>
+    <message>
+        <source>name it once</source>
+        <translation>一度だけにする</translation>
+    </message>
+    <message>
+        <source>annotation {}: edge {} does not end at {}</source>
+        <translation>注釈 {}: 辺 {} の端は {} ではありません</translation>
+    </message>
+    <message>
+        <source>two edges that meet at the vertex</source>
+        <translation>その頂点で出会う二つの辺</translation>
+    </message>
+    <message>
+        <source>{} has too few vertices, or one twice</source>
+        <translation>{} の頂点が足りないか、重複しています</translation>
+    </message>
+    <message>
+        <source>solve again</source>
+        <translation>もう一度解く</translation>
+    </message>
+    <message>
+        <source>{} is a folder, not a file</source>
+        <translation>{} はファイルではなくフォルダーです</translation>
+    </message>
+    <message>
+        <source>a file in it, {}</source>
+        <translation>その中のファイル {}</translation>
+    </message>
+    <message>
+        <source>{} is larger than {} MB</source>
+        <translation>{} は {} MB を超えています</translation>
+    </message>
+    <message>
+        <source>a sketch file</source>
+        <translation>スケッチファイル</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>ファイルが空です</translation>
+    </message>
+    <message>
+        <source>save the sketch again</source>
+        <translation>スケッチを保存し直す</translation>
+    </message>
+    <message>
+        <source>a key stands twice in one object</source>
+        <translation>一つのオブジェクトに同じキーが二つあります</translation>
+    </message>
+    <message>
+        <source>keep one of them</source>
+        <translation>一つだけ残す</translation>
+    </message>
+    <message>
+        <source>cannot read {}: {}</source>
+        <translation>{} を読めません: {}</translation>
+    </message>
+    <message>
+        <source>check the name</source>
+        <translation>名前を確かめる</translation>
+    </message>
+    <message>
+        <source>{} is not UTF-8 text (byte {})</source>
+        <translation>{} は UTF-8 の文字ではありません（{} バイト目）</translation>
+    </message>
+    <message>
+        <source>a sketch file, saved as UTF-8</source>
+        <translation>UTF-8 で保存したスケッチファイル</translation>
+    </message>
+    <message>
+        <source>not JSON: {} at line {}, column {}</source>
+        <translation>JSON ではありません: {}（{} 行 {} 桁）</translation>
+    </message>
+    <message>
+        <source>not JSON: {}</source>
+        <translation>JSON ではありません: {}</translation>
+    </message>
+    <message>
+        <source>the whole file: this one is cut off</source>
+        <translation>途中で切れていないファイル</translation>
+    </message>
+    <message>
+        <source>correct the text there</source>
+        <translation>そこの文字を直す</translation>
+    </message>
+    <message>
+        <source>ordinary numbers</source>
+        <translation>普通の数</translation>
+    </message>
+    <message>
+        <source>nested too deeply to be a sketch</source>
+        <translation>入れ子が深すぎてスケッチではありません</translation>
+    </message>
+    <message>
+        <source>there is no such element in the sketch</source>
+        <translation>スケッチにその要素がありません</translation>
+    </message>
+    <message>
+        <source>edges that do not meet make no angle</source>
+        <translation>出会わない辺は角になりません</translation>
+    </message>
+    <message>
+        <source>two that meet</source>
+        <translation>出会う二つの辺</translation>
+    </message>
+    <message>
+        <source>an angle of {0} degrees between {1} and {2}</source>
+        <translation>{1} と {2} の間の {0} 度の角</translation>
+    </message>
+    <message>
+        <source>only right angles can be said; others follow from lengths</source>
+        <translation>指定できるのは直角だけです。ほかは長さから決まります</translation>
+    </message>
+    <message>
+        <source>nothing on the ground is known to be right below {}</source>
+        <translation>{} の真下にあるとわかる地面のものがありません</translation>
+    </message>
+    <message>
+        <source>draw an upright edge from the ground to there</source>
+        <translation>地面からそこまで垂直な辺を描く</translation>
+    </message>
+    <message>
+        <source>a {} of {} mm</source>
+        <translation>{} が {} mm</translation>
+    </message>
+    <message>
+        <source>a {} above 0</source>
+        <translation>0 より大きい{}</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>長さ</translation>
+    </message>
+    <message>
+        <source>diameter</source>
+        <translation>直径</translation>
+    </message>
+    <message>
+        <source>one above 0</source>
+        <translation>0 より大きい値</translation>
+    </message>
+    <message>
+        <source>a side of fewer than two points</source>
+        <translation>側面の点が 2 個未満です</translation>
+    </message>
+    <message>
+        <source>draw it from bottom to top</source>
+        <translation>下から上へ描く</translation>
+    </message>
+    <message>
+        <source>these corners are {0} px off any rectangle of {1} x {2} mm</source>
+        <translation>これらの角は {1} x {2} mm の長方形から {0} px ずれています</translation>
+    </message>
+    <message>
+        <source>check the size, and click the four corners again</source>
+        <translation>大きさを確かめ、4 つの角をクリックし直す</translation>
+    </message>
+    <message>
+        <source>a rectangle of {} x {} mm is none</source>
+        <translation>{} x {} mm は長方形になりません</translation>
+    </message>
+    <message>
+        <source>sides above 0 mm</source>
+        <translation>0 mm より長い辺</translation>
+    </message>
+    <message>
+        <source>a rectangle has four corners</source>
+        <translation>長方形の角は 4 つです</translation>
+    </message>
+    <message>
+        <source>click each of them once</source>
+        <translation>それぞれ一度クリックする</translation>
+    </message>
+    <message>
+        <source>two corners are almost in one place</source>
+        <translation>二つの角がほぼ同じ場所にあります</translation>
+    </message>
+    <message>
+        <source>click four different corners, zoomed in</source>
+        <translation>拡大して 4 つの異なる角をクリックする</translation>
+    </message>
+    <message>
+        <source>these corners are no rectangle seen in perspective</source>
+        <translation>これらの角は遠近で見た長方形ではありません</translation>
+    </message>
+    <message>
+        <source>click the four outer corners of one flat rectangle, seen less from the side</source>
+        <translation>横から見すぎない平らな長方形の、外側の 4 つの角をクリックする</translation>
+    </message>
+    <message>
+        <source>vertex</source>
+        <translation>頂点</translation>
+    </message>
+    <message>
+        <source>edge</source>
+        <translation>辺</translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation>円</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>面</translation>
+    </message>
+    <message>
+        <source>edge or circle</source>
+        <translation>辺か円</translation>
+    </message>
+    <message>
+        <source>annotation {}</source>
+        <translation>注釈 {}</translation>
+    </message>
+    <message>
+        <source>edge {}</source>
+        <translation>辺 {}</translation>
+    </message>
+    <message>
+        <source>face {}</source>
+        <translation>面 {}</translation>
+    </message>
+    <message>
+        <source>revolution {}</source>
+        <translation>回転体 {}</translation>
+    </message>
+    <message>
+        <source>construction</source>
+        <translation>補助線</translation>
+    </message>
+    <message>
+        <source>{} cannot be {}</source>
+        <translation>{} を {} にはできません</translation>
+    </message>
+    <message>
+        <source>owner {} or {}</source>
+        <translation>owner {} か {}</translation>
+    </message>
+    <message>
+        <source>owner {}</source>
+        <translation>owner {}</translation>
+    </message>
+    <message>
+        <source>where these {0} faces meet in {1}, material cannot lie outside of them or in their middle: their planes, moved, meet in no point</source>
+        <translation>{0} 枚の面が {1} で出会う所では、外側や中央に材料を置けません。ずらした面が一点で出会いません</translation>
+    </message>
+    <message>
+        <source>side inside, or one thickness for all of them</source>
+        <translation>side を inside にするか、厚さをそろえる</translation>
+    </message>
+    <message>
+        <source>a smaller kerf, or wider fingers</source>
+        <translation>切り幅を小さくするか、ほぞを広げる</translation>
+    </message>
+    <message>
+        <source>the preset {} has no layers</source>
+        <translation>プリセット {} にレイヤーがありません</translation>
+    </message>
+    <message>
+        <source>the preset {} names unknown layers</source>
+        <translation>プリセット {} に知らないレイヤーがあります</translation>
+    </message>
+    <message>
+        <source>the preset {} asks for a DXF that we do not write</source>
+        <translation>プリセット {} の DXF は書き出せません</translation>
+    </message>
+    <message>
+        <source>dxf "R2000" or "R12", lines true or false</source>
+        <translation>dxf は "R2000" か "R12"、lines は true か false</translation>
+    </message>
+    <message>
+        <source>the preset {} says something unknown of a layer</source>
+        <translation>プリセット {} のレイヤーに知らない指定があります</translation>
+    </message>
+    <message>
+        <source>the preset {} has a wrong name or colour</source>
+        <translation>プリセット {} の名前か色が正しくありません</translation>
+    </message>
+    <message>
+        <source>a name, aci from 1 to 255, rgb like #ff0000</source>
+        <translation>名前、1 〜 255 の aci、#ff0000 のような rgb</translation>
+    </message>
+    <message>
+        <source>these faces do not stand at right angles to the others</source>
+        <translation>これらの面はほかの面と直角ではありません</translation>
+    </message>
+    <message>
+        <source>right-angle annotations</source>
+        <translation>直角の注釈</translation>
+    </message>
+    <message>
+        <source>a surface of revolution has no flat face to make a plate of</source>
+        <translation>回転体には板にする平らな面がありません</translation>
+    </message>
+    <message>
+        <source>a print: a shelled solid, --print</source>
+        <translation>3D プリント: シェル立体、--print</translation>
+    </message>
+    <message>
+        <source>thinner plates, or butt joints at its edges</source>
+        <translation>板を薄くするか、その辺を突き付けにする</translation>
+    </message>
+    <message>
+        <source>there is no {} {}</source>
+        <translation>{} {} はありません</translation>
     </message>
 </context>
 </TS>

@@ -51,7 +51,7 @@ def a_number(
             f"{place} is {value:.3g}, too large", (), f"a number up to {limit:.0e}"
         )
     if not value > above:
-        raise SketchFormatError(f"{place} is {value:g}", (), f"a number above {above:g}")
+        raise SketchFormatError(f"{place} cannot be {value:g}", (), f"a number above {above:g}")
     return float(value)
 
 
@@ -100,7 +100,7 @@ def ids(
 def a_bool(value: Any, place: str) -> bool:
     """true or false."""
     if not isinstance(value, bool):
-        raise SketchFormatError(f"{place} is {_name(value)}", (), "true or false")
+        raise SketchFormatError(f"{place} cannot be {_name(value)}", (), "true or false")
     return value
 
 
@@ -138,12 +138,12 @@ def check_header(body: dict[str, Any], wanted: str, version: int) -> None:
     found = body.get("format")
     if found != wanted:
         raise SketchFormatError(
-            f"format is {str(found)[:40]!r}", (), f"a file of format {wanted!r}"
+            f"format cannot be {str(found)[:40]!r}", (), f"a file of format {wanted!r}"
         )
     number = body.get("version")
     if isinstance(number, bool) or not isinstance(number, int) or number < 1:
         raise SketchFormatError(
-            f"version is {str(number)[:20]!r}", (), f"a version from 1 to {version}"
+            f"version cannot be {str(number)[:20]!r}", (), f"a version from 1 to {version}"
         )
     if number > version:
         raise SketchVersionError(

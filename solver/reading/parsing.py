@@ -129,7 +129,9 @@ def _photo(value: Any) -> Photo:
     for key in ("width_px", "height_px"):
         size = read.a_number(body[key], f"photo.{key}", above=0.0, limit=MAX_PHOTO_PX)
         if size != int(size):
-            raise SketchFormatError(f"photo.{key} is {size:g}", (), "a whole number of pixels")
+            raise SketchFormatError(
+                f"photo.{key} cannot be {size:g}", (), "a whole number of pixels"
+            )
         sizes.append(int(size))
     focal, middle = body.get("focal_px"), body.get("principal_point_px")
     return Photo(
@@ -187,7 +189,7 @@ def _annotation(value: Any, place: str) -> Annotation:
     cls = ANNOTATIONS.get(kind) if isinstance(kind, str) else None
     if cls is None:
         raise SketchFormatError(
-            f"{place}.kind is {str(kind)[:40]!r}", (), f"one of {', '.join(ANNOTATIONS)}"
+            f"{place}.kind cannot be {str(kind)[:40]!r}", (), f"one of {', '.join(ANNOTATIONS)}"
         )
     names = [field.name for field in fields(cls)]
     read.check_keys(body, place, ("kind", *names))

@@ -34,7 +34,7 @@ def solution_from_json(value: Any) -> Solution:
         status = Status(body["status"])
     except ValueError as error:
         raise SketchFormatError(
-            f"status is {str(body['status'])[:40]!r}", (), ", ".join(s.value for s in Status)
+            f"status cannot be {str(body['status'])[:40]!r}", (), ", ".join(s.value for s in Status)
         ) from error
     solution = Solution(
         sketch=_text(body["sketch_digest"], "sketch_digest"),
@@ -137,7 +137,7 @@ def _residual(value: Any, place: str) -> Residual:
 def _count(value: Any, place: str) -> int:
     number = read.a_number(value, place)
     if number < 0 or number != int(number):
-        raise SketchFormatError(f"{place} is {number:g}", (), "a whole number")
+        raise SketchFormatError(f"{place} cannot be {number:g}", (), "a whole number")
     return int(number)
 
 

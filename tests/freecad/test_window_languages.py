@@ -5,8 +5,7 @@ import pytest
 
 from incontext.tests.freecad.hands import pump
 from incontext.workbench import host
-from incontext.workbench.panels.reasons import REASONS
-from incontext.workbench.panels.wording import SENTENCES, in_language
+from incontext.workbench.wording import CLAUSES, SENTENCES, in_language
 
 
 @pytest.fixture
@@ -66,7 +65,7 @@ def test_errors_say_in_japanese_what_is_wrong_where_and_what_to_try(language):
 
 
 def test_every_reason_comes_back_from_its_pattern():
-    for source in REASONS:
+    for source in CLAUSES:
         words = source.replace("{}", "7")
         assert in_language(f"{words} (f1, f2); try: {words}") == f"{words} (f1, f2); try: {words}"
 

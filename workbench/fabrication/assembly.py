@@ -63,7 +63,7 @@ class Step:
     @property
     def words(self) -> str:
         """One line about it."""
-        what = " with ".join(self.plate_ids)
+        what = " and ".join(self.plate_ids)
         if not self.onto:
             return f"begin with {what}"
         x, y, z = (np.round(self.way, 2) + 0.0).tolist()

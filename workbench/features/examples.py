@@ -7,6 +7,7 @@ from typing import Any
 
 from .. import host
 from ..examples import SKETCH_ENDING, load_example
+from ..wording import in_language
 from .lifted_model import make_lifted_model
 from .photo_sketch import make_photo_sketch
 from .plate_set import make_plate_set
@@ -48,7 +49,7 @@ def import_sketch(document: Any, path: Path, label: str = "") -> Any:
     graph = load_sketch(path)
     photo, problem = photo_path(graph, path)
     if problem:
-        host.warn(problem)
+        host.warn(in_language(problem))
     name = label or path.name.removesuffix(SKETCH_ENDING)
     return make_photo_sketch(document, sketch_to_text(graph), photo, name)
 

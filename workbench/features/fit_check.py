@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from .. import host
 from ..problems import in_words, known_problems
+from ..wording import in_language
 from . import pipeline
 from .dimensions import driven_text
 from .plate_set import is_plate_set, joined_of, settings_of
@@ -115,11 +116,11 @@ def _show(obj: Any, check: Check) -> None:
 
     from .shapes import bodies_shape
 
-    obj.Things = [fit.words for fit in check.fits]
+    obj.Things = [in_language(fit.words) for fit in check.fits]
     obj.Fits = [fit.fits for fit in check.fits]
     obj.Stands = check.standing.stands
-    obj.Standing = check.standing.words
-    obj.WeakSpots = list(check.weak)
+    obj.Standing = in_language(check.standing.words)
+    obj.WeakSpots = [in_language(line) for line in check.weak]
     obj.Shape = bodies_shape(body for fit in check.fits for body in fit.thing.bodies)
     obj.Overlap = bodies_shape(o.body for fit in check.fits for o in fit.overlaps)
     standing = check.standing

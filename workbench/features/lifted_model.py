@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from .. import host
 from ..problems import StoppedError, in_words, known_problems
+from ..wording import in_language
 from . import pipeline
 from .dimension_names import is_dimension
 from .dimensions import driven_text, show_dimensions, take_edit
@@ -52,8 +53,9 @@ class LiftedModel(Proxy):
             return
         if solution.status.value != "converged":
             # No fault: a sketch in the making is so most of the time.
-            set_outcome(obj, solution.status.value, solution.message)
-            host.note(f"{obj.Label}: {solution.message}")
+            words = in_language(solution.message)
+            set_outcome(obj, solution.status.value, words)
+            host.note(f"{obj.Label}: {words}")
             return
         _show(obj, solution)
 
@@ -70,7 +72,7 @@ def _show(obj: Any, solution: Solution) -> None:
     obj.Shape = solution_shape(solution, graph)
     show_dimensions(obj, graph, solution)
     obj.ScaleAssumed = bool(solution.scale_assumed)
-    set_outcome(obj, solution.status.value, solution.message)
+    set_outcome(obj, solution.status.value, in_language(solution.message))
 
 
 def make_lifted_model(document: Any, photo_sketch: Any) -> Any:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from .. import host
 from ..problems import in_words, known_problems
+from ..wording import in_language
 from . import pipeline
 from .dimensions import driven_text
 from .preset_proxy import PresetProxy
@@ -186,7 +187,8 @@ def _show(obj: Any, joined: Joined) -> None:
     from .shapes import plates_shape
 
     plates, steps, locked = _put_together(joined, exploded=obj.Exploded)
-    words = [host.translate("InContext", "{} plates").format(len(plates)), *joined.notes]
+    notes = map(in_language, joined.notes)
+    words = [host.translate("InContext", "{} plates").format(len(plates)), *notes]
     _set_lines(obj, "Assembly", steps)
     show_plates(obj, plates_shape(plates), [plate.id for plate in plates])
     obj.PlateCount = len(plates)
@@ -210,8 +212,9 @@ def _put_together(
 
 def _set_lines(obj: Any, name: str, lines: tuple[str, ...]) -> None:
     """Write a list only where it is new: an equal value need not be an edit."""
-    if tuple(getattr(obj, name)) != lines:
-        setattr(obj, name, list(lines))
+    said = tuple(map(in_language, lines))
+    if tuple(getattr(obj, name)) != said:
+        setattr(obj, name, list(said))
 
 
 def settings_of(obj: Any, *, with_kerf: bool = True) -> PlateSettings:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from .. import host
 from ..problems import in_words, known_problems
+from ..wording import in_language
 from . import pipeline
 from .dimensions import driven_text
 from .preset_proxy import PresetProxy
@@ -93,7 +94,7 @@ def _show(obj: Any, text: str) -> None:
     words = host.translate("InContext", "{:.1f} cm3 of material").format(obj.Shape.Volume / 1e3)
     box = obj.Shape.BoundBox
     note = bed_note((box.XLength, box.YLength, box.ZLength), settings_of(obj).bed_mm)
-    set_outcome(obj, "made", f"{words}; {note}" if note else words)
+    set_outcome(obj, "made", f"{words}; {in_language(note)}" if note else words)
 
 
 def settings_of(obj: Any) -> ShellSettings:

@@ -23,6 +23,7 @@ from ..features.photo_change import replace_photo
 from ..features.plate_set import is_plate_set
 from ..features.shelled_solid import is_shelled_solid
 from ..problems import known_problems
+from ..wording import in_language
 from .camera_finding import CameraFinding
 from .clipboard import photo_file
 from .lifting import Lifting, lift_in_time
@@ -31,7 +32,6 @@ from .photo_plane import PhotoPlane
 from .shape_preview import ShapePreview
 from .sketch_tab import SketchTab
 from .straightening import LensWatch
-from .wording import in_language
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -68,7 +68,7 @@ class SketchController:
         self.tab.view.graph_shown.connect(self._want)
         self.tab.view.photo_given.connect(self.take_photo)
         self.photo_loading.came.connect(self._take_photo_level)
-        self.photo_loading.failed.connect(host.report)
+        self.photo_loading.failed.connect(lambda words: host.report(in_language(words)))
         self.lifting.lifted.connect(self._show_lift)
         self.camera_finding = CameraFinding(obj, self.tab.view)
         self.lens_watch = LensWatch(obj, self.tab.view, lambda: self.on_news())
@@ -153,7 +153,7 @@ class SketchController:
             elif path:
                 image = load_photo(path)
         except PhotoError as error:
-            host.report(error)
+            host.report(in_language(str(error)))
         view.set_photo(image, size)
         self.photo_plane.take_photo(image)
         self._stand_photo()

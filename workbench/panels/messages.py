@@ -6,7 +6,7 @@ import FreeCADGui
 
 from .. import host
 from ..canvas.qt import QtGui
-from .wording import in_language
+from ..wording import in_language
 
 
 def tell(words: str) -> None:

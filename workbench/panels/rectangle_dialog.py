@@ -9,7 +9,7 @@ from ..canvas.lengths import exact_text, parse_length
 from ..canvas.qt import QtCore, QtGui
 from ..canvas.questions import KnownRectangle
 from ..problems import known_problems
-from .wording import in_language
+from ..wording import in_language
 
 if TYPE_CHECKING:
     from ...solver.graph import Photo

@@ -16,9 +16,9 @@ from ..canvas.qt import QtCore
 from ..features import pipeline
 from ..features.known_rectangle import marker_text, rectangle_of
 from ..problems import known_problems
+from ..wording import in_language
 from .aside import Aside
 from .photo_pixels import colour_photo, grey_photo, save_colours
-from .wording import in_language
 
 if TYPE_CHECKING:
     from ...solver.graph import SketchGraph

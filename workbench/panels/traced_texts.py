@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from .. import host
-from .wording import in_language
+from ..wording import in_language
 
 if TYPE_CHECKING:
     from ...solver.graph import SketchGraph

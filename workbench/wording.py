@@ -1,7 +1,7 @@
-"""What the solver says, in the person's language.
+"""What the solver and the making of plates say, in the person's language.
 
-The solver knows no languages: its sentences are English, with numbers and ids in them. Here the
-known ones are told by their pattern, and put together again from their translation.
+They know no languages: their sentences are English, with numbers and ids in them. Here the known
+ones are told by their pattern, and put together again from their translation.
 """
 
 from __future__ import annotations
@@ -9,7 +9,9 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
-from .. import host
+from . import host
+from .file_reasons import FILE_REASONS
+from .made_lines import LINES
 from .reasons import REASONS
 
 #: Sentences with a place `{}` for each number, id or list of ids.
@@ -70,6 +72,8 @@ SENTENCES = (
     "The traced lines meet as in a cropped photo: it was taken towards {} px, not {} px: say "
     "so in the photo's camera, or use the whole photo.",
 )
+#: What is no sentence: what is wrong, what to try, lines of a list.
+CLAUSES = (*REASONS, *LINES, *FILE_REASONS)
 #: The words between the last two ids of a list.
 JOINTS = ("and", "or")
 
@@ -89,7 +93,7 @@ def in_language(words: str) -> str:
         return " ".join(_known(SENTENCES, sentence) for sentence in _ENDS.split(words))
     reason = _REASON.fullmatch(words)
     if reason is None:
-        return _known(REASONS, words)
+        return _known(CLAUSES, words)
     what = in_language(reason["what"]) + (reason["ids"] or "")
     return host.translate("InContext", "{}; try: {}").format(what, in_language(reason["remedy"]))
 
@@ -103,7 +107,7 @@ def _known(sources: tuple[str, ...], words: str) -> str:
     return words
 
 
-@lru_cache(maxsize=len(SENTENCES) + len(REASONS))
+@lru_cache(maxsize=len(SENTENCES) + len(CLAUSES))
 def _pattern(source: str) -> re.Pattern[str]:
     """A sentence with anything in its places, and the same where a place comes again."""
     pattern, number = "", 0
@@ -119,8 +123,16 @@ def _pattern(source: str) -> re.Pattern[str]:
 
 
 def _part(words: str) -> str:
-    """What stands in a place: a clause, or ids in a list."""
-    words = in_language(words)
-    for joint in JOINTS:
-        words = words.replace(f" {joint} ", f" {host.translate('InContext', joint)} ")
-    return words
+    """What stands in a place: a clause, or ids or clauses in a list."""
+    whole = in_language(words)
+    if whole != words:
+        return whole
+    parts = re.split(rf"(, | (?:{'|'.join(JOINTS)}) )", words)
+    if len(parts) == 1:
+        return words
+    joints = (_joint(part) if k % 2 else in_language(part) for k, part in enumerate(parts))
+    return "".join(joints)
+
+
+def _joint(words: str) -> str:
+    return words if words == ", " else f" {host.translate('InContext', words.strip())} "

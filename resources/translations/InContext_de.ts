@@ -3005,5 +3005,9 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <source>there is no {} {}</source>
         <translation>{} {} gibt es nicht</translation>
     </message>
+    <message>
+        <source>Finding the camera ...</source>
+        <translation>Kamera wird gesucht …</translation>
+    </message>
 </context>
 </TS>

@@ -3005,5 +3005,9 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <source>there is no {} {}</source>
         <translation>{} {} はありません</translation>
     </message>
+    <message>
+        <source>Finding the camera ...</source>
+        <translation>カメラを求めています…</translation>
+    </message>
 </context>
 </TS>

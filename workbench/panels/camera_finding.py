@@ -100,9 +100,9 @@ class CameraFinding:
         from ...solver.perspective.refining import refined_camera
 
         graph = pipeline.graph_of(self._obj.Sketch)
-        with busy():
-            camera = refined_camera(graph, found.view) or found.view.camera
-        graph = replace(graph, camera=camera)
+        words = host.translate("InContext", "Finding the camera ...")
+        refined = host.work(words, lambda stop, progress: refined_camera(graph, found.view))
+        graph = replace(graph, camera=refined or found.view.camera)
         set_camera(self._obj, graph, marker_text(found.view.corners_px.tolist(), size_mm))
         if not self._view.attraction.grid_shown:
             self._view.toggle_grid()

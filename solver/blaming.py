@@ -125,7 +125,7 @@ def reading_of(graph: SketchGraph, lifted: Candidate) -> Reading:
         plausible=(lifted.above or not ground_indices(graph))
         and (lifted.minimum.converged or is_held(lifted))
         and nothing_sinks(graph, full.problem, x),
-        converged=lifted.minimum.converged,
+        converged=is_settled(lifted),
     )
 
 

@@ -78,6 +78,13 @@ def counting(stop: Stop | None, unknowns: int) -> Stop:
     return stop or (lambda: False)
 
 
+def asking(stop: Stop | None, elements: int) -> Stop:
+    """The same, asked between questions whether so many annotations and edges agree."""
+    if isinstance(stop, Effort):
+        return partial(stop.after, QUESTION + BY_ELEMENT * elements)
+    return stop or (lambda: False)
+
+
 def questions_within_reason(elements: int) -> int:
     """How often it may be asked whether annotations agree, for so many edges and annotations."""
     return max(1, int(MAX_ASKING / (QUESTION + BY_ELEMENT * elements)))

@@ -40,6 +40,8 @@ from .diagnosis import (
     Freedoms,
     Reading,
     busiest_vertex,
+    disagree,
+    find_clash,
     freedoms,
     most_helpful_corner,
     says_directions,
@@ -67,6 +69,8 @@ from .values import Array, Progress, Stop, rows_of
 from .wishes import drawn_shape, fulfilled, wishes_of
 from .world import ground_indices
 
+#: So many annotations are left out, at most, to show a shape where they clash.
+MAX_CULPRITS = 4
 #: Vertices whose spread to the side is so small a part of that along are on one line.
 ON_A_LINE = 1e-6
 #: Said where somebody stopped it.
@@ -133,7 +137,7 @@ def _solve(graph: SketchGraph, start: Solution | None, effort: Effort, *, twin: 
         return Solution(graph, Status.UNDERDETERMINED, nothing)
     core = without_profiles(graph)
     structure = build_structure(core)
-    if structure.contradiction:
+    if disagree(core):
         return _without_culprit(graph, core, effort)
     if structure.n_coordinates > MAX_COORDINATES:
         return _too_free(graph, f"{structure.n_coordinates} coordinates are free")
@@ -204,7 +208,7 @@ def _without_culprit(graph: SketchGraph, core: SketchGraph, effort: Effort) -> S
     kept: dict[str, Lifted] = {}
 
     def attempt(id_: str) -> Reading | None:
-        lifted = None if effort.stopped else _lift_without(core, id_, effort)
+        lifted = None if effort.stopped else _lift_without(core, id_, effort=effort)
         if lifted is None or lifted.doubtful:
             return None
         kept[id_] = lifted
@@ -212,17 +216,27 @@ def _without_culprit(graph: SketchGraph, core: SketchGraph, effort: Effort) -> S
 
     blamed = blame_for_clash(core, attempt, effort)
     first = blamed.ids[0]
-    lifted = kept.get(first) or _lift_without(core, first, effort)
+    lifted = kept.get(first) or _lift_without(core, first, effort=effort)
+    if lifted is None and not effort.stopped:
+        lifted = _lift_without(core, *_several_culprits(core, first, effort), effort=effort)
     if lifted is None or lifted.doubtful:
         report = Report(conflicts=blamed.ids)
         return Solution(graph, Status.CONFLICTING, blamed.message, report=report)
     return _describe(graph, core, lifted, blamed)
 
 
-def _lift_without(core: SketchGraph, id_: str, effort: Effort) -> Lifted | None:
-    rest = without(core, id_)
+def _several_culprits(core: SketchGraph, first: str, effort: Effort) -> list[str]:
+    """More and more annotations taken away, until the rest agrees."""
+    ids = [first]
+    while len(ids) < MAX_CULPRITS and disagree(without(core, *ids)) and not effort():
+        ids.append(find_clash(without(core, *ids), effort).ids[0])
+    return ids
+
+
+def _lift_without(core: SketchGraph, *ids: str, effort: Effort) -> Lifted | None:
+    rest = without(core, *ids)
     structure = build_structure(rest)
-    if structure.contradiction or structure.n_coordinates > MAX_COORDINATES:
+    if disagree(rest) or structure.n_coordinates > MAX_COORDINATES:
         return None
     conditions = _conditions(rest, structure)
     if conditions * structure.n_coordinates > MAX_NUMBERS:
@@ -254,7 +268,7 @@ def _lift_or_blame(
     if effort.stopped:
         return lifted, None
     if blamed is not None and not blamed.held:
-        other = _lift_without(core, blamed.ids[0], effort)
+        other = _lift_without(core, blamed.ids[0], effort=effort)
     if other is not None and not other.doubtful:
         return other, blamed
     # What was found at first sight only is finished.

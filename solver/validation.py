@@ -10,10 +10,9 @@ import numpy as np
 
 from .annotations import Annotation, Diameter, Length, RightAngle, targets_of
 from .circles import flat_circles
-from .diagnosis import clashing_annotations
+from .diagnosis import clashing_annotations, disagree
 from .graph import SketchGraph
 from .revolution import without_profiles
-from .structure import build_structure
 from .topology import Topology, topology_of
 from .union_find import UnionFind
 from .values import Array, kept
@@ -90,7 +89,7 @@ def _circles(graph: SketchGraph) -> Iterator[Finding]:
 
 
 def _clashes(graph: SketchGraph) -> Iterator[Finding]:
-    if graph.edges and build_structure(graph).contradiction:
+    if (graph.edges or graph.circles) and disagree(graph):
         ids = clashing_annotations(graph)
         some = ", ".join(ids if len(ids) < 8 else (*ids[:4], f"{len(ids) - 4} more"))
         yield _error(f"cannot all hold ({some}); try: take one of them away", *ids)

@@ -9,12 +9,12 @@ import pytest
 from asserts import assert_annotations_hold
 from scenes import SHAPES, box, house, l_shape, photograph
 
-from incontext.solver import solve
-from incontext.solver.annotations import EqualLength, Ground, Length, Parallel
+from incontext.solver import findings, solve
+from incontext.solver.annotations import Diameter, EqualLength, Ground, Length, Parallel
 from incontext.solver.diagnosis import find_clash
 from incontext.solver.solution import Status
 from incontext.solver.structure import build_structure
-from incontext.solver.synthetic import photograph_turned, random_lid, table
+from incontext.solver.synthetic import LID, photograph_turned, random_lid, table
 from incontext.solver.synthetic.planting import KINDS, PLANTED, planted, planted_diameter
 
 NOISES = (0.0, 0.002, 0.005, 0.01)
@@ -103,6 +103,50 @@ def test_a_length_that_is_not_as_drawn_is_held_and_said():
     assert solution.status is Status.CONVERGED
     assert solution.report.conflicts[0] == "high"
     assert_annotations_hold(solution, 200.0)
+
+
+SIZES_THAT_CLASH = {
+    "two lengths of one edge": {"a": Length("e0", 200.0), "b": Length("e0", 201.0)},
+    "opposite sides": {"a": Length("e1", 150.0), "b": Length("e3", 100.0)},
+    "sides all round": {"a": Length("e8", 120.0), "b": Length("e10", 125.0)},
+    "equal lengths": {
+        "a": Length("e1", 150.0),
+        "b": Length("e9", 120.0),
+        "c": EqualLength(("e9", "e3")),
+    },
+}
+
+
+@pytest.mark.parametrize("name", SIZES_THAT_CLASH)
+@pytest.mark.parametrize("noise", [0.0, 0.01])
+def test_sizes_that_cannot_hold_together_are_named(name, noise):
+    shape = box()
+    wrong = SIZES_THAT_CLASH[name]
+    said = {"length": shape.annotations["length"], **shape.annotations, **wrong}
+    rng = np.random.default_rng(0)
+    graph = photograph(replace(shape, annotations=said), rng, noise=noise).graph
+    solution = solve(graph)
+    assert solution.status is Status.CONFLICTING
+    assert set(solution.report.conflicts) <= {"length", *wrong}
+    assert len(solution.report.conflicts) >= 2
+    assert set(find_clash(graph).ids) == set(solution.report.conflicts)
+    assert len(solution.vertices_mm) == 8
+    assert any(f.severity == "error" for f in findings(graph))
+
+
+def test_two_diameters_of_one_circle_are_named():
+    graph, _ = photograph_turned(LID, np.random.default_rng(0))
+    said = {"a": Diameter("c1", 50.0), "b": Diameter("c1", 60.0)}
+    solution = solve(replace(graph, annotations={**graph.annotations, **said}))
+    assert solution.status is Status.CONFLICTING
+    assert set(solution.report.conflicts) == {"a", "b"}
+
+
+def test_the_same_size_said_twice_is_no_clash():
+    shape = box()
+    said = {**shape.annotations, "again": Length("e2", 200.0), "deep": EqualLength(("e1", "e3"))}
+    solution = solve(photograph(replace(shape, annotations=said), np.random.default_rng(0)).graph)
+    assert solution.message == "Solved."
 
 
 def test_a_wrong_ground_vertex_is_blamed_and_not_the_ground():

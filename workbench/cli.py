@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 OK, FAULT, BAD_INPUT, BAD_SOLVE, BAD_FIT = 0, 1, 2, 3, 4
 ENDING = ".sketch.json"
+#: What a solve says where there is nothing to say.
+PLAIN = "Solved."
 #: Drawings of each family of shapes in each case of the study: a few minutes.
 STUDY_RUNS = 20
 #: The solver, and the reference methods by their names in ``solver.reference.METHODS``.
@@ -221,6 +223,8 @@ def _check(arguments: argparse.Namespace) -> int:
         solution = solve(graph)
         if solution.status is not Status.CONVERGED:
             found.insert(0, ("error", solution.message))
+        elif solution.message != PLAIN:
+            found.insert(0, ("warning", solution.message))
         lens = lens_of_sketch(graph, arguments.sketch)
         notes = (*traced_lines(graph, solution).notes, *(() if lens is None else lens.notes))
         found += [("warning", note) for note in notes]
@@ -315,6 +319,9 @@ def _verdict(solution: Solution) -> int:
     if solution.status is not Status.CONVERGED:
         _complain(f"incontext: {solution.status.value}: {solution.message}")
         return BAD_SOLVE
+    if solution.message != PLAIN:
+        # Annotations that the drawing speaks against, a second shape, sizes that are unsure.
+        _complain(f"warning: {solution.message}")
     if solution.scale_assumed:
         _complain("warning: nothing says how large it is; the longest edge is taken as 100 mm")
     return OK

@@ -2,7 +2,7 @@
 
 from .again import pose_near
 from .blame import Reading, contradicts, convict
-from .clashes import clashing_annotations, find_clash, without
+from .clashes import clashing_annotations, disagree, find_clash, without
 from .freedoms import Freedoms, freedoms
 from .helpful import busiest_vertex, most_helpful_corner, says_directions
 from .precision import UNSURE_SIZE_SIGMA, StandardErrors, focal_sigma, standard_errors
@@ -28,6 +28,7 @@ __all__ = [
     "clashing_annotations",
     "contradicts",
     "convict",
+    "disagree",
     "find_clash",
     "focal_sigma",
     "freedoms",

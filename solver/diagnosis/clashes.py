@@ -3,22 +3,23 @@
 Terms
 -----
 clash
-    A set of annotations from which a contradiction follows (an edge across itself, or of no
-    length), and no smaller part of it does.
+    A set of annotations from which a contradiction follows (an edge across itself, of no length, or
+    of two), and no smaller part of it does.
 culprit
     An annotation without which all the others agree.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from ..annotations import targets_of
-from ..effort import questions_within_reason
+from ..annotations import Annotation, Diameter, EqualLength, Length, targets_of
+from ..effort import asking, questions_within_reason
 from ..graph import SketchGraph
 from ..structure import build_structure
 from ..values import Stop
+from .same_sizes import sizes_clash
 
 #: How often it may be asked whether some annotations agree, to find the culprits.
 MAX_QUESTIONS = 60
@@ -63,7 +64,18 @@ def find_clash(graph: SketchGraph, stop: Stop | None = None) -> Clash:
     culprits = sorted(search.culprits(), key=search.said.index, reverse=True)
     search.limit = len(search.asked) + max(MORE_QUESTIONS, MORE_AMONG_FEW // len(search.said))
     clash = search.smallest((culprits or search.said[-1:])[0])
-    return Clash(tuple(culprits), tuple(k for k in search.said if k in clash - set(culprits)))
+    others = [k for k in search.said if k in clash - set(culprits)]
+    if not build_structure(graph).contradiction:
+        # Of what is said of sizes the directions are not to blame.
+        about_sizes = (Length, Diameter, EqualLength)
+        others = [k for k in others if isinstance(graph.annotations[k], about_sizes)]
+    return Clash(tuple(culprits), tuple(others))
+
+
+def disagree(graph: SketchGraph, annotations: Mapping[str, Annotation] | None = None) -> bool:
+    """Whether reasoning alone finds that annotations cannot all hold; by default the graph's."""
+    structure = build_structure(graph, annotations)
+    return structure.contradiction or sizes_clash(graph, structure, annotations)
 
 
 def clashing_annotations(graph: SketchGraph) -> tuple[str, ...]:
@@ -76,26 +88,27 @@ class _Search:
 
     def __init__(self, graph: SketchGraph, stop: Stop | None) -> None:
         self.graph = graph
-        self.stop = stop or (lambda: False)
         self.said = list(graph.annotations)
         self.asked: dict[frozenset[str], bool] = {}
-        self.reason = questions_within_reason(len(graph.edges) + len(self.said))
+        elements = len(graph.edges) + len(self.said)
+        self.reason = questions_within_reason(elements)
+        self.stop = asking(stop, elements)
         self.limit = MAX_QUESTIONS
 
     def agree(self, ids: Iterable[str]) -> bool:
         """Whether no contradiction follows from these; not known, and False, after too many."""
         key = frozenset(ids)
         if key not in self.asked:
-            if self.tired:
+            if self.tired or self.stop():
                 return False
             annotations = {k: self.graph.annotations[k] for k in self.said if k in key}
-            self.asked[key] = not build_structure(self.graph, annotations).contradiction
+            self.asked[key] = not disagree(self.graph, annotations)
         return self.asked[key]
 
     @property
     def tired(self) -> bool:
         """Whether enough was asked."""
-        return len(self.asked) >= min(self.limit, self.reason) or self.stop()
+        return len(self.asked) >= min(self.limit, self.reason)
 
     def culprits(self) -> list[str]:
         """All annotations without any one of which the others agree.

@@ -1,0 +1,70 @@
+"""Sizes that cannot all hold, whatever the drawing: edges that are equally long, said to differ."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+import numpy as np
+
+from ..annotations import Annotation
+from ..graph import SketchGraph
+from ..structure import Structure
+from ..topology import Topology, topology_of, topology_with
+from ..union_find import UnionFind
+
+#: Sizes that differ by less than this part are the same, typed in other units.
+SAME_SIZE = 1e-9
+
+
+def sizes_clash(
+    graph: SketchGraph,
+    structure: Structure,
+    annotations: Mapping[str, Annotation] | None = None,
+) -> bool:
+    """Whether two sizes are said of what is equally large.
+
+    Edges are equally long where it is said, and where they join the same two shared coordinates
+    along one axis, as opposite sides of a rectangle do.
+
+    Parameters
+    ----------
+    graph : SketchGraph
+    structure : Structure
+        Of the graph with these annotations.
+    annotations : mapping of id to Annotation, optional
+        Those that are said; by default all of the graph's.
+    """
+    topology = topology_of(graph) if annotations is None else topology_with(graph, annotations)
+    diameters = [(a.circle, a.diameter_mm) for _, a in topology.by_kind["diameter"]]
+    if _differ(diameters):
+        return True
+    lengths = [(a.edge, a.length_mm) for _, a in topology.by_kind["length"]]
+    if len({mm for _, mm in lengths}) < 2:
+        return False
+    same = _equally_long(topology, structure)
+    return _differ((same.find(topology.edges[e]), mm) for e, mm in lengths)
+
+
+def _differ(sizes: Iterable[tuple[object, float]]) -> bool:
+    """Whether one thing has two sizes."""
+    first: dict[object, float] = {}
+    return any(
+        abs(mm - first.setdefault(name, mm)) > SAME_SIZE * max(mm, first[name])
+        for name, mm in sizes
+    )
+
+
+def _equally_long(topology: Topology, structure: Structure) -> UnionFind:
+    """Edges that are equally long, as sets."""
+    same = UnionFind(len(topology.edges))
+    for _, a in topology.by_kind["equal_length"]:
+        first, *others = (topology.edges[e] for e in a.edges)
+        for other in others:
+            same.union(first, other)
+    along = np.flatnonzero(structure.edge_axis >= 0)
+    axis = structure.edge_axis[along]
+    joined = np.sort(structure.coordinate[topology.ends[along], axis[:, None]], axis=1)
+    first_with: dict[tuple[int, ...], int] = {}
+    for edge, pair in zip(along.tolist(), map(tuple, joined.tolist()), strict=True):
+        same.union(edge, first_with.setdefault(pair, edge))
+    return same

@@ -247,7 +247,8 @@ def _chain(members: list[int]) -> IntArray:
 
 def _share_in_faces(faces: NamedFaces, edge_axis: IntArray, shared: IntArray) -> IntArray:
     """A named face that is square to an axis ties that coordinate for all that lies in it."""
-    axis = np.where(faces.edges >= 0, edge_axis[faces.edges], -1)
+    # A side that is not drawn, -1, is along none.
+    axis = np.append(edge_axis, -1)[faces.edges]
     runs = np.logical_or.reduceat(axis[:, None] == np.arange(3), faces.first)
     # Edges along the two other axes.
     across = runs[:, [1, 2, 0]] & runs[:, [2, 0, 1]]

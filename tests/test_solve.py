@@ -9,10 +9,10 @@ import pytest
 from asserts import assert_annotations_hold, assert_camera_sees, assert_solved
 from scenes import SHAPES, Views, bookshelf, box, photograph
 
-from incontext.solver import solve
+from incontext.solver import findings, solve
 from incontext.solver.annotations import EqualLength, Ground, Length, Parallel, RightAngle
 from incontext.solver.camera import Camera
-from incontext.solver.graph import SketchGraph
+from incontext.solver.graph import Ellipse, Face, SketchGraph
 from incontext.solver.solution import Status
 
 NAMES = [make().name for make in SHAPES]
@@ -216,3 +216,13 @@ def test_a_frontal_view_is_exact_with_the_focal_length_from_exif():
     assert solution.message == "Solved."
     found = np.array([solution.vertices_mm[f"v{i}"] for i in range(8)])
     np.testing.assert_allclose(found, shape.X, atol=0.5)
+
+
+def test_a_face_without_drawn_sides_is_no_trouble():
+    graph = SketchGraph(
+        vertices={"a": (0.0, 0.0), "b": (100.0, 0.0), "c": (50.0, 80.0)},
+        circles={"c1": Ellipse(((310, 420), (510, 420)), ((410, 380), (410, 460)))},
+        faces={"f1": Face(("a", "b", "c"))},
+    )
+    assert all(f.severity == "warning" for f in findings(graph))
+    assert solve(graph).status is Status.UNDERDETERMINED

@@ -1,22 +1,14 @@
-"""Short closed chains of edges: triangles and quadrilaterals, planar or not.
-
-Terms
------
-half-edge
-    An edge as seen from one of its ends, its source; the other end is its target.
-two-path
-    Two edges that meet: from one neighbour of a vertex, the middle, to another.
-"""
+"""Short closed chains of edges: triangles and quadrilaterals, planar or not."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 
 from .merging import are_among
 from .topology import Topology
+from .two_paths import pairs_of_runs, run_begins, two_paths
 from .values import IntArray
 
 #: A tangle in which everything is joined to everything has more two-paths and closed chains than
@@ -33,85 +25,44 @@ class Chains:
     quadrilaterals: IntArray
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _TwoPaths:
-    """Vertices a < c and the middle between them; the edges from the middle to both, (p,)."""
-
-    a: IntArray
-    middle: IntArray
-    c: IntArray
-    to_a: IntArray
-    to_c: IntArray
-
-    def __getitem__(self, chosen: IntArray) -> _TwoPaths:
-        parts = (self.a, self.middle, self.c, self.to_a, self.to_c)
-        return _TwoPaths(*(part[chosen] for part in parts))
-
-
 def chains(topology: Topology) -> Chains:
     """All closed chains of three and of four edges (of a tangle, as many as are allowed)."""
-    ends, n = topology.ends, len(topology.vertices)
-    paths = _two_paths(ends, n)
-    return Chains(_triangles(ends, paths, n), _quadrilaterals(paths, n))
+    n, paths = (
+        len(topology.vertices),
+        two_paths(topology.ends, len(topology.vertices), MAX_TWO_PATHS),
+    )
+    # From the lower end to the higher one; two edges between the same vertices are no path.
+    turned, proper = paths.a > paths.c, paths.a != paths.c
+    low, high = np.minimum(paths.a, paths.c), np.maximum(paths.a, paths.c)
+    sides = np.column_stack(
+        [np.where(turned, paths.to_c, paths.to_a), np.where(turned, paths.to_a, paths.to_c)]
+    )
+    # A triangle is met from its three vertices: the greatest one counts. A quadrilateral is met
+    # from both of its diagonals: the one that ends at its least vertex counts.
+    last = np.flatnonzero(proper & (paths.middle > high))
+    first = np.flatnonzero(proper & (low < paths.middle))
+    return Chains(
+        _triangles(topology.ends, (low * n + high)[last], sides[last], n),
+        _quadrilaterals((low * n + high)[first], sides[first]),
+    )
 
 
-def _two_paths(ends: IntArray, n: int) -> _TwoPaths:
-    m = len(ends)
-    # Half-edges by source and then by target: one sort of both, and of their own number.
-    (v, w), own = ends.T, np.arange(m)
-    code = np.concatenate([(v * n + w) * 2 * m + own, (w * n + v) * 2 * m + own + m])
-    half = np.sort(code) % max(1, 2 * m)
-    source, target = np.concatenate([v, w])[half], np.concatenate([w, v])[half]
-    edge = half % max(1, m)
-    i, j = _pairs_of_runs(np.bincount(source, minlength=n), MAX_TWO_PATHS)
-    paths = _TwoPaths(target[i], source[i], target[j], edge[i], edge[j])
-    # Two edges between the same vertices are no path.
-    return paths[np.flatnonzero(paths.a < paths.c)]
-
-
-def _pairs_of_runs(lengths: IntArray, room: int) -> tuple[IntArray, IntArray]:
-    """All pairs i < j within runs of so many places, one run after the other; no more than room."""
-    first = np.cumsum(lengths) - lengths
-    lower, upper = [np.zeros(0, dtype=np.int64)], [np.zeros(0, dtype=np.int64)]
-    for length in np.flatnonzero(np.bincount(lengths)).tolist():
-        pairs = length * (length - 1) // 2
-        at = first[np.flatnonzero(lengths == length)[: room // max(1, pairs)]]
-        if pairs and len(at):
-            p, q = _pairs_below(length)
-            lower.append((at[:, None] + p).reshape(-1))
-            upper.append((at[:, None] + q).reshape(-1))
-            room -= len(at) * pairs
-    return np.concatenate(lower), np.concatenate(upper)
-
-
-@lru_cache(maxsize=16)
-def _pairs_below(n: int) -> tuple[IntArray, IntArray]:
-    """All pairs of numbers i < j < n."""
-    i, j = np.triu_indices(n, 1)
-    return i, j
-
-
-def _triangles(ends: IntArray, paths: _TwoPaths, n: int) -> IntArray:
-    # Each is met from its three vertices: the greatest one counts.
-    last = paths[np.flatnonzero((paths.middle > paths.a) & (paths.middle > paths.c))]
+def _triangles(ends: IntArray, across: IntArray, sides: IntArray, n: int) -> IntArray:
+    """Two-paths whose ends an edge joins."""
     code = ends.min(axis=1) * n + ends.max(axis=1)
-    closed = last[np.flatnonzero(are_among(last.a * n + last.c, code, n * n))]
-    if not len(closed.a):
+    closed = np.flatnonzero(are_among(across, code, n * n))
+    if not len(closed):
         return np.zeros((0, 3), dtype=np.int64)
     known, first = np.unique(code, return_index=True)
-    joining = first[np.searchsorted(known, closed.a * n + closed.c)]
-    return np.column_stack([joining, closed.to_c, closed.to_a])
+    joining = first[np.searchsorted(known, across[closed])]
+    return np.column_stack([joining, sides[closed, ::-1]])
 
 
-def _quadrilaterals(paths: _TwoPaths, n: int) -> IntArray:
+def _quadrilaterals(across: IntArray, sides: IntArray) -> IntArray:
     """Two-paths between the same two vertices, in pairs."""
-    # Each is met from both of its diagonals: the one that ends at its first vertex counts.
-    paths = paths[np.flatnonzero(paths.a < paths.middle)]
-    bits = len(paths.a).bit_length()
-    code = np.sort((paths.a * n + paths.c << bits) + np.arange(len(paths.a)))
-    between = code >> bits
-    begins = np.flatnonzero(np.append(True, between[1:] != between[:-1]))
-    lengths = np.diff(begins, append=len(code))
-    i, j = _pairs_of_runs(lengths, MAX_QUADRILATERALS)
-    paths = paths[code & ((1 << bits) - 1)]
-    return np.column_stack([paths.to_a[i], paths.to_c[i], paths.to_c[j], paths.to_a[j]])
+    bits = len(across).bit_length()
+    order = np.sort((across << bits) + np.arange(len(across)))
+    begins = run_begins(order >> bits)
+    i, j = pairs_of_runs(np.diff(begins, append=len(order)), MAX_QUADRILATERALS)
+    sides = sides[order & ((1 << bits) - 1)]
+    return np.hstack([sides[i], sides[j, ::-1]])

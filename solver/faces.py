@@ -3,7 +3,7 @@
 Terms
 -----
 corner
-    Two edges that meet; every corner spans a plane.
+    Two edges that meet, a two-path; every corner spans a plane.
 plane
     Named by the vertices that lie in it.
 loop, half-edge
@@ -17,11 +17,13 @@ from collections.abc import Mapping
 import numpy as np
 
 from .errors import SketchError
-from .geometry import cross
+from .geometry import cross, cross_columns
 from .graph import Face
 from .nesting import outlines, smallest_around
+from .topology import edge_ends
+from .two_paths import TwoPaths, two_paths
 from .values import Array, BoolArray, FrozenDict, IntArray, frozen_mapping, kept, rows_of
-from .walks import Loop, Walk, walk_round, without_dead_ends
+from .walks import Walk, connected_parts, walk_round, without_dead_ends
 
 #: Vertices within this part of the object's size of a plane lie in it.
 PLANE_TOLERANCE = 1e-6
@@ -58,8 +60,14 @@ def find_faces(
     SketchError
         Where too many edges meet for faces to be looked for.
     """
-    ends = _ends(tuple(vertices_mm), frozen_mapping(edges))
-    corners = _corners(ends)
+    names = tuple(vertices_mm)
+    ends = edge_ends(names, frozen_mapping(edges))
+    degrees = np.bincount(ends.reshape(-1))
+    if int(degrees @ (degrees - 1)) > 2 * MAX_CORNERS:
+        raise SketchError(
+            f"more than {MAX_CORNERS} pairs of edges meet", (), "list the faces in the sketch"
+        )
+    corners = two_paths(ends, len(names), MAX_CORNERS)
     if not len(corners):
         return {}
     X = rows_of(vertices_mm)
@@ -72,100 +80,95 @@ def find_faces(
         for normals, members in _planes(X, size, corners)
         if (table := _table(X / size, ends, normals, members)) is not None
     ]
-    return _named(tuple(vertices_mm), *(part for table in tables for part in table))
+    return _named(names, *(part for table in tables for part in table))
 
 
 @kept
 def _named(names: tuple[str, ...], *tables: Walk | bytes) -> dict[str, Face]:
     """The faces by name, of tables of a walk, which cycles are loops, and what lies in which."""
-    found: list[tuple[Loop, tuple[Loop, ...]]] = []
+    found: list[tuple[tuple[str, ...], tuple[tuple[str, ...], ...]]] = []
+    least = [np.zeros((0, 4), dtype=np.int64)]
     for walk, chosen, around in zip(tables[::3], tables[1::3], tables[2::3], strict=True):
         assert isinstance(walk, Walk)
         assert isinstance(chosen, bytes)
         assert isinstance(around, bytes)
-        inside: dict[int, list[Loop]] = {}
-        for k, outer in enumerate(np.frombuffer(around, dtype=np.int64).tolist()):
-            if outer >= 0:
-                inside.setdefault(outer, []).append(walk.loops[k])
-        for k in np.flatnonzero(np.frombuffer(chosen, dtype=bool)).tolist():
-            found.append((walk.loops[k], outlines(inside[k]) if k in inside else ()))
-    found.sort(key=lambda item: (sorted(item[0]), item[0]))
-    name = names.__getitem__
-    return FrozenDict(
-        (f"f{k}", Face(tuple(map(name, loop)), tuple(tuple(map(name, hole)) for hole in holes)))
-        for k, (loop, holes) in enumerate(found, start=1)
-    )
+        cycles = np.flatnonzero(np.frombuffer(chosen, dtype=bool))
+        holes = _holes(names, walk, np.frombuffer(around, dtype=np.int64))
+        loops = walk.runs(tuple([names[v] for v in walk.vertices.tolist()]), cycles)
+        found += [(loop, holes.get(k, ())) for k, loop in zip(cycles.tolist(), loops, strict=True)]
+        least.append(walk.least_vertices(cycles))
+    in_order = _in_order(names, np.concatenate(least), [loop for loop, _ in found])
+    return FrozenDict((f"f{k}", Face(*found[i])) for k, i in enumerate(in_order, start=1))
 
 
-@kept
-def _ends(names: tuple[str, ...], edges: Mapping[str, tuple[str, str]]) -> IntArray:
-    """Vertex indices of each edge, (m, 2)."""
-    index = {name: i for i, name in enumerate(names)}
-    ends = np.array([index[v] for pair in edges.values() for v in pair], dtype=np.int64)
-    ends.setflags(write=False)
-    return ends.reshape(-1, 2)
-
-
-@kept
-def _corners(ends: IntArray) -> IntArray:
-    """All corners: the common vertex and the two other ends, (c, 3)."""
-    starts, others = ends.reshape(-1), ends[:, ::-1].reshape(-1)
-    names, first, degrees = np.unique(starts, return_index=True, return_counts=True)
-    if int(np.sum(degrees.astype(float) * (degrees - 1))) > 2 * MAX_CORNERS:
-        raise SketchError(
-            f"more than {MAX_CORNERS} pairs of edges meet", (), "list the faces in the sketch"
+def _holes(
+    names: tuple[str, ...], walk: Walk, around: IntArray
+) -> dict[int, tuple[tuple[str, ...], ...]]:
+    """The outlines of what lies in each cycle, for those with something in them."""
+    inside: dict[int, list[int]] = {}
+    for k, outer in enumerate(around.tolist()):
+        if outer >= 0:
+            inside.setdefault(outer, []).append(k)
+    vertices = tuple(walk.vertices.tolist()) if inside else ()
+    return {
+        outer: tuple(
+            tuple([names[v] for v in outline])
+            for outline in outlines(walk.runs(vertices, np.array(inner)))
         )
-    order = np.argsort(starts, kind="stable")
-    offset = np.cumsum(degrees) - degrees
-    parts, ranks = [np.zeros((0, 3), dtype=np.int64)], [np.zeros(0, dtype=np.int64)]
-    for degree in np.unique(degrees[degrees > 1]).tolist():
-        chosen = np.flatnonzero(degrees == degree)
-        around = others[order[offset[chosen][:, None] + np.arange(degree)]]
-        a, b = np.triu_indices(degree, 1)
-        middle = np.repeat(names[chosen], len(a))
-        parts.append(np.column_stack([middle, around[:, a].reshape(-1), around[:, b].reshape(-1)]))
-        ranks.append(np.repeat(first[chosen], len(a)))
-    corners = np.concatenate(parts)[np.argsort(np.concatenate(ranks), kind="stable")]
-    corners.setflags(write=False)
-    return corners
+        for outer, inner in inside.items()
+    }
 
 
-def _planes(X: Array, size: float, corners: IntArray) -> list[tuple[Array, BoolArray]]:
+def _in_order(names: tuple[str, ...], least: IntArray, loops: list[tuple[str, ...]]) -> list[int]:
+    """The order of loops by the vertices that they touch, the least ones first."""
+    code = (least + 1) @ (1 << 15 * np.arange(4, dtype=np.int64)[::-1])
+    order = np.argsort(code, kind="stable")
+    if (np.diff(code[order]) > 0).all():
+        return [int(k) for k in order]
+    # Four vertices do not always tell.
+    place = {name: i for i, name in enumerate(names)}
+    numbers = [[place[v] for v in loop] for loop in loops]
+    return sorted(range(len(loops)), key=lambda k: (sorted(numbers[k]), numbers[k]))
+
+
+def _planes(X: Array, size: float, corners: TwoPaths) -> list[tuple[Array, BoolArray]]:
     """The planes that corners span, in tables of bounded size: normals (k, 3), members (k, n)."""
-    at, a, b = X[corners[:, 0]], X[corners[:, 1]], X[corners[:, 2]]
-    u, v = a - at, b - at
-    normals = cross(u, v)
-    lengths = np.sqrt(np.einsum("ci,ci->c", normals, normals))
-    spans = lengths > 1e-9 * np.sqrt(np.einsum("ci,ci->c", u, u) * np.einsum("ci,ci->c", v, v))
-    normals = normals[spans] / lengths[spans, None]
-    offsets = np.einsum("ci,ci->c", normals, at[spans])
-    planes = np.column_stack([normals, offsets / size])
+    columns = np.ascontiguousarray(X.T)
+    at = columns.take(corners.middle, axis=1)
+    u, v = columns.take(corners.a, axis=1) - at, columns.take(corners.c, axis=1) - at
+    normals = cross_columns(u, v)
+    squares, of_u, of_v = (np.einsum("ic,ic->c", w, w) for w in (normals, u, v))
+    spans = np.flatnonzero(squares > 1e-18 * of_u * of_v)
+    normals = normals[:, spans] / np.sqrt(squares[spans])
+    offsets = np.einsum("ic,ic->c", normals, at[:, spans])
+    planes = np.vstack([normals, offsets / size])
     chosen = _distinct(planes)
     if len(chosen) > MANY_PLANES:
-        shared = _spanned_thrice(planes)
-        chosen = shared[_distinct(planes[shared])]
+        shared = _spanned_thrice(planes.T)
+        chosen = shared[_distinct(planes[:, shared])]
     tables, seen = [], set()
     rows = max(1, TABLE // len(X))
     for start in range(0, len(chosen), rows):
         some = chosen[start : start + rows]
-        members = np.abs(normals[some] @ X.T - offsets[some, None]) <= PLANE_TOLERANCE * size
+        across = normals[:, some].T
+        members = np.abs(across @ columns - offsets[some, None]) <= PLANE_TOLERANCE * size
         names = [row.tobytes() for row in np.packbits(members, axis=1)]
         new = []
         for k, name in enumerate(names):
             if name not in seen:
                 seen.add(name)
                 new.append(k)
-        tables.append((normals[some[new]], members[new]))
+        tables.append((across[new], members[new]))
     return tables
 
 
 def _distinct(planes: Array) -> IntArray:
     """The first of all planes (normal, offset) that fall into one cell, either way round."""
-    largest = np.abs(planes[:, :3]).argmax(axis=1)
-    signs = np.sign(planes[np.arange(len(planes)), largest])
-    cells = np.rint(planes * signs[:, None] / CELL).astype(np.int64)
+    largest = np.abs(planes[:3]).argmax(axis=0)
+    signs = np.sign(planes[largest, np.arange(planes.shape[1])])
+    cells = np.rint(planes * (signs / CELL)).astype(np.int64)
     # Mixed into one number, overflow and all: two cells meet in it once in 1e19.
-    mixed = cells @ np.array([6364136223846793005, 1442695040888963407, 3935559000370003845, 1])
+    mixed = np.array([6364136223846793005, 1442695040888963407, 3935559000370003845, 1]) @ cells
     return np.sort(np.unique(mixed, return_index=True)[1])
 
 
@@ -190,13 +193,13 @@ def _table(
     X: Array, ends: IntArray, normals: Array, members: BoolArray
 ) -> tuple[Walk, bytes, bytes] | None:
     """The cycles of several planes, which of them are loops, and in which other one each lies."""
-    plane, edge = np.nonzero(members[:, ends[:, 0]] & members[:, ends[:, 1]])
+    v, w = ends.T
+    plane, edge = np.nonzero(members.take(v, axis=1) & members.take(w, axis=1))
     walked = without_dead_ends(plane, ends[edge], len(X))
     if not len(walked.plane):
         return None
-    u, v = _frames(normals)
-    x, y = ((X @ w.T)[walked.start, walked.plane] for w in (u, v))
-    along_x, along_y = (w.reshape(-1, 2)[:, ::-1].reshape(-1) - w for w in (x, y))
+    x, y = ((X @ axis.T)[walked.start, walked.plane] for axis in _frames(normals))
+    along_x, along_y = (at.reshape(-1, 2)[:, ::-1].reshape(-1) - at for at in (x, y))
     walk = walk_round(walked, np.arctan2(along_y, along_x), len(X))
     areas = np.add.reduceat((x * along_y - y * along_x)[walk.order] / 2, walk.first)
     encloses = areas > AREA_TOLERANCE
@@ -206,7 +209,9 @@ def _table(
     nested = chosen & (parts > 1)[walk.plane]
     around = np.zeros(0, dtype=np.int64)
     if nested.any():
-        around = smallest_around(walk, np.column_stack([x, y])[walk.order], areas, nested)
+        connected = connected_parts(walked, walk, len(X))
+        positions = np.column_stack([x, y])[walk.order]
+        around = smallest_around(walk, connected, positions, areas, nested)
     return walk, chosen.tobytes(), around.tobytes()
 
 

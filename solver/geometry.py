@@ -20,6 +20,16 @@ def cross(u: Array, v: Array) -> Array:
     return np.stack([u1 * v2 - u2 * v1, u2 * v0 - u0 * v2, u0 * v1 - u1 * v0], axis=-1)
 
 
+def cross_columns(u: Array, v: Array) -> Array:
+    """Cross products of vectors that stand in columns, (3, n)."""
+    w = np.empty_like(u)
+    for k in range(3):
+        i, j = (k + 1) % 3, (k + 2) % 3
+        np.multiply(u[i], v[j], out=w[k])
+        w[k] -= u[j] * v[i]
+    return w
+
+
 def rotation(turn: Array) -> Array:
     """The rotation matrix of a rotation vector (3,), rad, by Rodrigues' formula."""
     x, y, z = turn.tolist()

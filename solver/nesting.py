@@ -7,18 +7,24 @@ from collections.abc import Iterable
 import numpy as np
 
 from .values import Array, BoolArray, IntArray
-from .walks import Loop, Walk
+from .walks import Walk
 
+#: Vertices in order.
+Loop = tuple[int, ...]
 #: Loops that are compared with all others at once.
 CHUNK = 500
 
 
-def smallest_around(walk: Walk, positions: Array, areas: Array, candidates: BoolArray) -> IntArray:
+def smallest_around(
+    walk: Walk, parts: IntArray, positions: Array, areas: Array, candidates: BoolArray
+) -> IntArray:
     """For each cycle the smallest one of another part of its plane that it lies in, or -1.
 
     Parameters
     ----------
     walk : Walk
+    parts : (c,) int array
+        The connected part of the drawing that each cycle belongs to.
     positions : (h, 2) array
         In the plane, in the order of the walk.
     areas : (c,) array
@@ -36,7 +42,7 @@ def smallest_around(walk: Walk, positions: Array, areas: Array, candidates: Bool
     for start in range(0, len(ordered), CHUNK):
         outer = ordered[start : start + CHUNK, None]
         fits = (areas[ordered] < areas[outer]) & (walk.plane[ordered] == walk.plane[outer])
-        fits &= walk.part[ordered] != walk.part[outer]
+        fits &= parts[ordered] != parts[outer]
         for k in range(2):
             fits &= low[ordered, k] >= low[outer, k] - slack
             fits &= high[ordered, k] <= high[outer, k] + slack

@@ -128,7 +128,7 @@ def topology_with(graph: SketchGraph, annotations: Mapping[str, Annotation]) -> 
         vertices=vertices,
         edges=edges,
         circles=circles,
-        ends=indices(vertices, [*chain.from_iterable(graph.edges.values())]).reshape(-1, 2),
+        ends=edge_ends(tuple(vertices), graph.edges),
         revolutions=graph.revolutions,
         faces=graph.drawn_faces,
         annotations=ids,
@@ -139,6 +139,15 @@ def topology_with(graph: SketchGraph, annotations: Mapping[str, Annotation]) -> 
         parallels=tuple(indices(edges, group) for group in together),
         ground=np.sort(indices(vertices, [*ground])),
     )
+
+
+@kept
+def edge_ends(vertices: tuple[str, ...], edges: Mapping[str, tuple[str, str]]) -> IntArray:
+    """Vertex indices of each edge, (m, 2); read-only."""
+    index = dict(zip(vertices, range(len(vertices)), strict=True))
+    ends = indices(index, [*chain.from_iterable(edges.values())]).reshape(-1, 2)
+    ends.setflags(write=False)
+    return ends
 
 
 def indices(index: Mapping[str, int], ids: Sequence[str]) -> IntArray:

@@ -16,13 +16,23 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from .blas_threads import one_blas_thread
 from .errors import SketchError
 from .geometry import cross, cross_columns
 from .graph import Face
 from .nesting import outlines, smallest_around
 from .topology import edge_ends
 from .two_paths import TwoPaths, two_paths
-from .values import Array, BoolArray, FrozenDict, IntArray, frozen_mapping, kept, rows_of
+from .values import (
+    Array,
+    Awaited,
+    BoolArray,
+    FrozenDict,
+    IntArray,
+    frozen_mapping,
+    kept,
+    rows_of,
+)
 from .walks import Walk, connected_parts, walk_round, without_dead_ends
 
 #: Vertices within this part of the object's size of a plane lie in it.
@@ -61,12 +71,7 @@ def find_faces(
         Where too many edges meet for faces to be looked for.
     """
     names = tuple(vertices_mm)
-    ends = edge_ends(names, frozen_mapping(edges))
-    degrees = np.bincount(ends.reshape(-1))
-    if int(degrees @ (degrees - 1)) > 2 * MAX_CORNERS:
-        raise SketchError(
-            f"more than {MAX_CORNERS} pairs of edges meet", (), "list the faces in the sketch"
-        )
+    ends = _ends_of_no_tangle(names, edges)
     corners = two_paths(ends, len(names), MAX_CORNERS)
     if not len(corners):
         return {}
@@ -81,6 +86,30 @@ def find_faces(
         if (table := _table(X / size, ends, normals, members)) is not None
     ]
     return _named(names, *(part for table in tables for part in table))
+
+
+def awaited_faces(
+    vertices_mm: Mapping[str, Array], edges: Mapping[str, tuple[str, str]]
+) -> Mapping[str, Face]:
+    """What `find_faces` finds, looked for when it is first asked for; it raises at once."""
+    _ends_of_no_tangle(tuple(vertices_mm), edges)
+
+    def found() -> Mapping[str, Face]:
+        with one_blas_thread, np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+            return find_faces(vertices_mm, edges)
+
+    return Awaited(found)
+
+
+def _ends_of_no_tangle(names: tuple[str, ...], edges: Mapping[str, tuple[str, str]]) -> IntArray:
+    """Vertex indices of each edge; raises SketchError where too many edges meet."""
+    ends = edge_ends(names, frozen_mapping(edges))
+    degrees = np.bincount(ends.reshape(-1))
+    if int(degrees @ (degrees - 1)) > 2 * MAX_CORNERS:
+        raise SketchError(
+            f"more than {MAX_CORNERS} pairs of edges meet", (), "list the faces in the sketch"
+        )
+    return ends
 
 
 @kept

@@ -134,6 +134,7 @@ class Solution:
         World positions; mirrored vertices included (``v3@a5``).
     edges : mapping of edge id to (vertex id, vertex id)
     faces : mapping of face id to Face
+        Where the sketch lists none, they are looked for when they are first asked for.
     circles : mapping of circle id to SolvedCircle
     camera : Camera or None
     scale_assumed : bool

@@ -52,7 +52,7 @@ from .diagnosis import (
 )
 from .effort import Effort
 from .errors import SketchError
-from .faces import find_faces
+from .faces import awaited_faces
 from .graph import SketchGraph
 from .lifting import UNSURE_FOCAL_SIGMA, Lifted, lift, lift_near
 from .necker import fits_as_well, twin_of
@@ -393,7 +393,7 @@ def _with_copies(graph: SketchGraph, vertices: Mapping[str, Array]) -> tuple[Geo
     if traced:
         drawn = {e: ends for e, ends in drawn.items() if e.split("@")[0] not in traced}
     try:
-        return replace(whole, faces=find_faces(whole.vertices, drawn)), ""
+        return replace(whole, faces=awaited_faces(whole.vertices, drawn)), ""
     except SketchError as error:
         return whole, f" No faces were looked for: {error}."
 

@@ -10,7 +10,7 @@ kept
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import lru_cache, wraps
 from typing import Any, NoReturn, TypeVar
 
@@ -55,6 +55,43 @@ class FrozenDict(dict[K, V]):
         return (type(self), (dict(self),))
 
 
+class Awaited(Mapping[K, V]):
+    """A read-only mapping that is worked out when it is first looked into.
+
+    Parameters
+    ----------
+    make : callable
+        A pure function: it may be called more than once, by threads that look at the same time.
+    """
+
+    __slots__ = ("_made", "_make")
+
+    def __init__(self, make: Callable[[], Mapping[K, V]]) -> None:
+        self._make = make
+        self._made: Mapping[K, V] | None = None
+
+    @property
+    def _mapping(self) -> Mapping[K, V]:
+        if self._made is None:
+            self._made = self._make()
+        return self._made
+
+    def __getitem__(self, key: K) -> V:
+        return self._mapping[key]
+
+    def __iter__(self) -> Iterator[K]:
+        return iter(self._mapping)
+
+    def __len__(self) -> int:
+        return len(self._mapping)
+
+    def __repr__(self) -> str:
+        return repr(self._mapping)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (FrozenDict, (dict(self._mapping),))
+
+
 class FrozenRows(FrozenDict[str, Array]):
     """Rows of one read-only array (n, 3) by id, and the array."""
 
@@ -71,7 +108,7 @@ class FrozenRows(FrozenDict[str, Array]):
 
 def frozen_mapping(items: Mapping[str, V]) -> Mapping[str, V]:
     """The items, read-only, in their order; a frozen mapping itself comes back as it is."""
-    return items if isinstance(items, FrozenDict) else FrozenDict(items)
+    return items if isinstance(items, FrozenDict | Awaited) else FrozenDict(items)
 
 
 def frozen_rows(items: Mapping[str, Any]) -> Mapping[str, Array]:

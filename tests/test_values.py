@@ -12,7 +12,7 @@ import pytest
 from scenes import box, organizer, photograph
 
 from incontext.solver.solution import Residual, Residuals
-from incontext.solver.values import FrozenDict, frozen_mapping, frozen_rows, kept
+from incontext.solver.values import Awaited, FrozenDict, frozen_mapping, frozen_rows, kept
 
 
 @pytest.mark.parametrize(
@@ -33,6 +33,24 @@ def test_a_frozen_mapping_refuses_every_change(change):
     with pytest.raises(TypeError, match="read-only"):
         change(mapping)
     assert mapping == {"a": 1}
+
+
+def test_an_awaited_mapping_is_worked_out_once_and_only_when_looked_into():
+    made = []
+
+    def make():
+        made.append(1)
+        return {"a": 1, "b": 2}
+
+    awaited = frozen_mapping(Awaited(make))
+    assert not made
+    assert awaited == {"a": 1, "b": 2}
+    assert (len(awaited), list(awaited), awaited["b"], "c" in awaited) == (2, ["a", "b"], 2, False)
+    assert {**awaited} == pickle.loads(pickle.dumps(awaited)) == copy.deepcopy(awaited) == awaited
+    assert repr(awaited) == "{'a': 1, 'b': 2}"
+    assert len(made) == 1
+    with pytest.raises(TypeError):
+        awaited["a"] = 2
 
 
 def test_a_frozen_mapping_is_copied_and_saved_like_a_dict():

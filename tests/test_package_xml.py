@@ -1,13 +1,16 @@
 """package.xml says what FreeCAD's addon index asks for, each thing in its form and place.
 
 Own rules, after the documentation of the format: which elements there are, how often, and what
-may stand in them.
+may stand in them (`data/package.xsd`). The schema that FreeCAD's people publish describes a newer
+format, with another namespace, which FreeCAD up to 1.1 does not read; but for that our file keeps
+to it as well. FreeCAD's own reader is asked in `freecad/test_startup.py`.
 """
 
 from __future__ import annotations
 
 import ast
 import re
+import subprocess
 import tomllib
 import xml.etree.ElementTree as ElementTree
 from datetime import date
@@ -144,3 +147,54 @@ def test_what_is_depended_on_is_what_the_project_needs(workbench):
     assert {one.text.lower() for one in named} <= needed
     for text in texts(workbench, "tag"):
         assert text == text.lower()
+
+
+#: Debian's own Python has lxml.
+VALIDATE = """
+import sys
+from lxml import etree
+
+schema = etree.XMLSchema(etree.parse(sys.argv[1]))
+if not schema.validate(etree.fromstring(sys.stdin.buffer.read()).getroottree()):
+    print(schema.error_log.last_error.message)
+"""
+
+
+def complaint(text: str) -> str:
+    """What the schema has against a package.xml; empty where it is valid."""
+    command = ["/usr/bin/python3", "-c", VALIDATE, str(ROOT / "tests" / "data" / "package.xsd")]
+    run = subprocess.run(command, input=text.encode(), capture_output=True, check=True)
+    return run.stdout.decode().strip()
+
+
+@pytest.fixture(scope="module")
+def written():
+    return (ROOT / "package.xml").read_text(encoding="utf-8")
+
+
+def test_it_is_valid_against_the_schema(written):
+    assert complaint(written) == ""
+
+
+@pytest.mark.parametrize(
+    ("good", "bad"),
+    [
+        ('format="1"', 'format="2"'),
+        ("<version>0.1.0", "<version>first"),
+        ("<date>2026-", "<date>26-"),
+        ('type="readme"', 'type="manual"'),
+        ("<url", "<adress"),
+        ('email="', 'email="not '),
+        ("https://github.com/incontext/incontext<", "github.com/incontext<"),
+        (' file="LICENSE"', ""),
+        ("<icon>resources", "<icon>/resources"),
+        ("<classname>In", "<classname>In Context."),
+        ("<freecadmin>0.20.0", "<freecadmin>0.20 or so"),
+        ('depend type="python"', 'depend type="pip"'),
+    ],
+)
+def test_the_schema_refuses(written, good, bad):
+    assert good in written
+    broken = written.replace(good, bad)
+    broken = broken.replace("</url>", "</adress>") if "adress" in bad else broken
+    assert complaint(broken) != ""

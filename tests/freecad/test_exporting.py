@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import FreeCAD
+import Import
+import Part
 import pytest
 
 from incontext.workbench.features import exporting
@@ -32,6 +34,35 @@ def test_plates_are_written_as_the_command_writes_them(shelf, tmp_path, ending):
     assert path.stat().st_size > 100
     # STEP holds the time of day.
     assert ending == ".step" or path.read_bytes() == two
+
+
+@pytest.mark.parametrize("by", ["us", "FreeCAD"])
+def test_step_has_the_plates_as_solids(shelf, document, tmp_path, by):
+    """FreeCAD has one name for one object; `incontext make` names each plate."""
+    _, _, plates = shelf
+    path, open_before = tmp_path / "plates.step", set(FreeCAD.listDocuments())
+    if by == "us":
+        exporting.export([plates], str(path))
+    else:
+        Import.export([plates], str(path))
+    assert set(FreeCAD.listDocuments()) == open_before
+    assert FreeCAD.ActiveDocument == document
+    read = FreeCAD.newDocument("Read")
+    Import.insert(str(path), read.Name)
+    solids = [o for o in read.Objects if getattr(o, "Shape", None) and o.TypeId == "Part::Feature"]
+    volumes = [solid.Shape.Volume for solid in solids]
+    assert sorted(volumes) == pytest.approx(sorted(s.Volume for s in plates.Shape.Solids))
+    FreeCAD.closeDocument(read.Name)
+
+
+def test_freecads_step_of_a_print_is_the_solid(shelf, document, tmp_path):
+    solid = make_shelled_solid(document, shelf[1])
+    document.recompute()
+    path = tmp_path / "print.step"
+    Import.export([solid], str(path))
+    shape = Part.read(str(path))
+    assert len(shape.Solids) == 1
+    assert shape.Volume == pytest.approx(solid.Shape.Volume, rel=1e-6)
 
 
 def test_the_print_is_written_too(shelf, document, tmp_path):

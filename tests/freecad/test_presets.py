@@ -52,6 +52,25 @@ def test_a_machine_makes_no_plate_again(shelf, document):
     assert (plates.Kerf.Value, plates.SheetWidth.Value, plates.Shape.Volume) == (0.15, 600, shape)
 
 
+@pytest.mark.parametrize(
+    ("machine", "relief", "tool"),
+    [("3.175 mm cutter, T-bones", "tbone", 3.175), ("2 mm cutter, dog bones", "dogbone", 2.0)],
+)
+def test_a_router_gets_room_for_its_round_cutter(shelf, document, machine, relief, tool):
+    _, _, plates = shelf
+    plates.Material = "Birch plywood 6 mm"
+    document.recompute()
+    plain = sum(len(part.outer) for sheet in sheets_of(plates) for part in sheet.parts)
+    volume = plates.Shape.Volume
+    plates.Machine = f"Router, {machine} (kerf left to CAM)"
+    assert (plates.CornerRelief, plates.ToolDiameter.Value) == (relief, tool)
+    document.recompute()
+    assert plates.Status == "made"
+    relieved = sum(len(part.outer) for sheet in sheets_of(plates) for part in sheet.parts)
+    assert relieved > plain + 100, "each inner corner has an arc"
+    assert plates.Shape.Volume == pytest.approx(volume), "the relief is for the cut alone"
+
+
 def test_plates_fit_every_machine(shelf, document):
     _, _, plates = shelf
     plates.Material = "Birch plywood 6 mm"

@@ -60,16 +60,42 @@ def test_own_packages_come_before_those_of_the_system():
     assert tuple(int(part) for part in pyparsing.__version__.split(".")[:2]) >= (3, 1)
 
 
-def test_freecad_understands_our_metadata():
+def test_freecad_reads_every_field_of_our_metadata_as_it_is_meant():
     import ast
+    import xml.etree.ElementTree as ElementTree
 
-    metadata = FreeCAD.Metadata(str(ROOT / "package.xml"))
-    (workbench,) = metadata.Content["workbench"]
+    space = "{https://wiki.freecad.org/Package_Metadata}"
+    package = ElementTree.parse(ROOT / "package.xml").getroot()
+    told = {child.tag.removeprefix(space): child for child in package}
+    read = FreeCAD.Metadata(str(ROOT / "package.xml"))
+    names = ["name", "version", "description", "icon"]
+    # FreeCAD 0.20 reads no date.
+    names += ["date"] if hasattr(read, "Date") else []
+    for name in names:
+        assert getattr(read, name.capitalize()) == told[name].text
+    (person,) = read.Maintainer
+    maintainer = told["maintainer"]
+    assert person == {"name": maintainer.text, "email": maintainer.get("email")}
+    (licence,) = read.License
+    assert licence == {"name": told["license"].text, "file": "LICENSE"}
+    assert (ROOT / licence["file"]).is_file()
+    urls = {url.get("type"): url.text for url in package.findall(f"{space}url")}
+    assert {url["type"]: url["location"] for url in read.Urls} == urls
+    branches = {url["type"]: url.get("branch", "") for url in read.Urls}
+    assert branches["repository"] == "main"
+
+    (workbench,) = read.Content["workbench"]
+    own = package.find(f"{space}content/{space}workbench")
     classes = [
         n.name for n in ast.parse((ROOT / "InitGui.py").read_text()).body if hasattr(n, "name")
     ]
     assert [workbench.Classname] == classes
     assert workbench.Subdirectory == "./"
-    assert metadata.supportsCurrentFreeCAD()
+    assert (workbench.Name, workbench.Icon) == (read.Name, read.Icon)
+    assert workbench.Tag == [tag.text for tag in own.findall(f"{space}tag")]
+    depends = [one.text for one in own.findall(f"{space}depend")]
+    assert [one["package"] for one in workbench.Depend] == depends
     assert (ROOT / workbench.Icon).is_file()
-    assert (ROOT / metadata.License[0]["file"]).is_file()
+    assert workbench.FreeCADMin.startswith("0.20")
+    assert read.supportsCurrentFreeCAD()
+    assert workbench.supportsCurrentFreeCAD()

@@ -44,6 +44,11 @@ def load_sketch(path: str | Path) -> SketchGraph:
 
 def sketch_from_text(text: str) -> SketchGraph:
     """The graph that a sketch file's text says; raises SketchError."""
+    if len(text) > MAX_BYTES:
+        # A document may hold any text.
+        raise SketchFormatError(
+            f"the sketch is larger than {MAX_BYTES // 1_000_000} MB", (), "a smaller sketch"
+        )
     return graph_from_json(_parse(text))
 
 

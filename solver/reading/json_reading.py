@@ -16,6 +16,8 @@ from ..errors import SketchFormatError, SketchVersionError
 
 #: Positions and lengths beyond this are no drawing.
 MAX_NUMBER = 1e6
+#: Larger ones are not even written down.
+MAX_WRITTEN = 1e300
 MAX_ID_LENGTH = 40
 
 T = TypeVar("T")
@@ -44,12 +46,12 @@ def a_number(
     """A finite JSON number, above `above`, of a size that a drawing can have."""
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise SketchFormatError(f"{place} is {_name(value)}, not a number", (), "a number")
-    if not math.isfinite(value):
+    # Integers of hundreds of digits are no floats, not even to be written.
+    if isinstance(value, float) and not math.isfinite(value):
         raise SketchFormatError(f"{place} is not finite", (), "a finite number")
     if abs(value) > limit:
-        raise SketchFormatError(
-            f"{place} is {value:.3g}, too large", (), f"a number up to {limit:.0e}"
-        )
+        size = f"{value:.3g}" if abs(value) < MAX_WRITTEN else "beyond all measure"
+        raise SketchFormatError(f"{place} is {size}, too large", (), f"a number up to {limit:.0e}")
     if not value > above:
         raise SketchFormatError(f"{place} cannot be {value:g}", (), f"a number above {above:g}")
     return float(value)

@@ -104,3 +104,20 @@ def test_one_line_for_what_cannot_be(sketch, tmp_path, capsys, options, words):
     assert (status, len(complaints)) == (2, 1)
     assert words in complaints[0]
     assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("kind", "other"),
+    [
+        ("--laser", ("--wall", 0.1, "--open", "left", "--least-wall", -1)),
+        ("--print", ("--kerf", 77, "--finger", 0, "--joint", "glue", "--preset", "nobody")),
+    ],
+)
+def test_settings_of_the_other_machine_stop_nothing(sketch, tmp_path, capsys, kind, other):
+    out = tmp_path / "out"
+    status, _, _ = run(capsys, "make", sketch, "--out", out, kind, *other)
+    assert status == 0
+    assert files_in(out) == (LASER if kind == "--laser" else PRINT) | BOTH
+    both = run(capsys, "make", sketch, "--out", out, "--laser", "--print", *other)
+    assert both[0] == 2
+    assert len(both[2]) == 1

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from .fabrication.settings import PlateSettings, ShellSettings, ShopSettings
     from .making import Order
 
 
@@ -176,12 +177,45 @@ def order_of(arguments: argparse.Namespace, name: str) -> Order:
     SettingsError
         Where an option cannot be.
     """
-    from .fabrication.joints import JointChoice
-    from .fabrication.presets import load_preset
-    from .fabrication.settings import PlateSettings, ShellSettings, ShopSettings
+    from .fabrication.settings import ShopSettings
     from .making import Extras, Order
 
-    plates = PlateSettings(
+    laser = arguments.laser or not arguments.printed
+    extras = Extras(
+        pdf=arguments.pdf or arguments.page is not None,
+        parts=arguments.parts or arguments.price is not None,
+        coupon=arguments.coupon,
+        assembly=arguments.assembly,
+    )
+    # A setting of the printer stops no laser, nor the other way round.
+    return Order(
+        name,
+        _plate_settings(arguments) if laser else None,
+        _shell_settings(arguments) if arguments.printed else None,
+        arguments.sheet_files,
+        _shop_settings(arguments) if laser else ShopSettings(),
+        extras,
+    )
+
+
+def _shop_settings(arguments: argparse.Namespace) -> ShopSettings:
+    from .fabrication.presets import load_preset
+    from .fabrication.settings import ShopSettings
+
+    load_preset(arguments.preset)
+    return ShopSettings(
+        preset=arguments.preset,
+        page=arguments.page,
+        cut_mm_s=arguments.speed,
+        sheet_price=arguments.price,
+    )
+
+
+def _plate_settings(arguments: argparse.Namespace) -> PlateSettings:
+    from .fabrication.joints import JointChoice
+    from .fabrication.settings import PlateSettings
+
+    return PlateSettings(
         thickness_mm=arguments.thickness,
         side=arguments.side,
         finger_mm=arguments.finger,
@@ -195,7 +229,12 @@ def order_of(arguments: argparse.Namespace, name: str) -> Order:
         grain=arguments.grain,
         joints=tuple(JointChoice.parse(text) for text in arguments.joints),
     )
-    shell = ShellSettings(
+
+
+def _shell_settings(arguments: argparse.Namespace) -> ShellSettings:
+    from .fabrication.settings import ShellSettings
+
+    return ShellSettings(
         wall_mm=arguments.wall,
         side=arguments.side,
         open_end=arguments.open_end,
@@ -203,25 +242,4 @@ def order_of(arguments: argparse.Namespace, name: str) -> Order:
         least_wall_mm=arguments.least_wall,
         tolerance_mm=arguments.tolerance,
         bed_mm=arguments.bed,
-    )
-    shop = ShopSettings(
-        preset=arguments.preset,
-        page=arguments.page,
-        cut_mm_s=arguments.speed,
-        sheet_price=arguments.price,
-    )
-    load_preset(shop.preset)
-    extras = Extras(
-        pdf=arguments.pdf or arguments.page is not None,
-        parts=arguments.parts or arguments.price is not None,
-        coupon=arguments.coupon,
-        assembly=arguments.assembly,
-    )
-    return Order(
-        name,
-        plates if arguments.laser or not arguments.printed else None,
-        shell if arguments.printed else None,
-        arguments.sheet_files,
-        shop,
-        extras,
     )

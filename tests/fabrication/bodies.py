@@ -6,6 +6,7 @@ import manifold3d as m3
 import numpy as np
 
 from incontext.workbench.fabrication.plates import Plate
+from incontext.workbench.fabrication.prisms import prism
 
 
 def body(plate: Plate, frame_from_world: np.ndarray | None = None) -> m3.Manifold:
@@ -15,8 +16,11 @@ def body(plate: Plate, frame_from_world: np.ndarray | None = None) -> m3.Manifol
         if frame_from_world is None
         else frame_from_world @ (plate.world_from_plate)
     )
-    section = m3.CrossSection([plate.outline, *plate.holes], m3.FillRule.EvenOdd)
-    return m3.Manifold.extrude(section, plate.thickness_mm).transform(place[:3])
+    solid = prism(plate.polygon, 0.0, plate.thickness_mm)
+    if frame_from_world is None:
+        return solid.transform(place[:3])
+    # In the object's own frame faces shall lie in one plane to the last bit.
+    return solid.warp_batch(lambda points: np.round(points @ place[:3, :3].T + place[:3, 3], 10))
 
 
 def overlaps(
@@ -31,5 +35,8 @@ def overlaps(
     return {(a, b): (bodies[a] ^ bodies[b]).volume() for a, b in combinations(bodies, 2)}
 
 
-def union(plates: tuple[Plate, ...]) -> m3.Manifold:
-    return m3.Manifold.batch_boolean([body(plate) for plate in plates], m3.OpType.Add)
+def union(
+    plates: tuple[Plate, ...], frame_from_world: np.ndarray | None = None
+) -> m3.Manifold:
+    bodies = [body(plate, frame_from_world) for plate in plates]
+    return m3.Manifold.batch_boolean(bodies, m3.OpType.Add)

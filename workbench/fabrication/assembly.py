@@ -33,6 +33,7 @@ from scipy.sparse.csgraph import connected_components
 from ...solver.values import Array
 from .errors import FabricationError
 from .plates import Plate
+from .prisms import prism
 
 #: Plates may touch so much while they move, mm3.
 TOUCH_MM3 = 1e-3
@@ -270,10 +271,10 @@ def _swept(plate: Plate, move: Array) -> manifold3d.Manifold:
     local = rotation.T @ move
     if abs(local[2]) < 1e-9 * max(1.0, float(np.abs(local).max())) or not move.any():
         low, area = _SHRINK_MM, _swept_area(polygon, local[:2])
-        return _prism(area, thin).translate([0, 0, low]).transform(plate.world_from_plate[:3])
+        return prism(area, low, low + thin).transform(plate.world_from_plate[:3])
     if np.abs(local[:2]).max() < 1e-9 * abs(local[2]):
         low = _SHRINK_MM + min(0.0, float(local[2]))
-        body = _prism(polygon, thin + abs(float(local[2]))).translate([0, 0, low])
+        body = prism(polygon, low, low + thin + abs(float(local[2])))
         return body.transform(plate.world_from_plate[:3])
     rings = [
         np.array(ring.coords)[:-1]
@@ -303,13 +304,3 @@ def _swept_area(polygon: shapely.Polygon, move: Array) -> shapely.Geometry:
             if strip.area > 1e-9:
                 parts.append(strip.buffer(0))
     return shapely.union_all(parts)
-
-
-def _prism(area: shapely.Geometry, height: float) -> manifold3d.Manifold:
-    rings = [
-        np.array(ring.coords)[:-1]
-        for part in shapely.get_parts(area)
-        for ring in (part.exterior, *part.interiors)
-    ]
-    section = manifold3d.CrossSection(rings, manifold3d.FillRule.EvenOdd)
-    return manifold3d.Manifold.extrude(section, height)

@@ -25,11 +25,12 @@ from dataclasses import dataclass, field, replace
 import manifold3d
 import numpy as np
 import shapely
-from shapely.geometry import MultiPoint
+from shapely.geometry import MultiPoint, Polygon
 
 from ...solver.values import Array
 from .parts_in_space import Part, corners, in_words, whole
 from .plates import Plate
+from .prisms import prism
 from .things import FLAT_MM, Thing
 
 #: Nearer than this is touching, and less overlap is none, mm.
@@ -231,8 +232,7 @@ def _into_plate(plate: Plate, thing: manifold3d.Manifold, shared: manifold3d.Man
     plate_from_world = np.linalg.inv(plate.world_from_plate)[:3]
     # Only what is above or below the plate counts, not what stands beside it.
     far = FAR_MM + plate.thickness_mm
-    section = manifold3d.CrossSection([plate.outline], manifold3d.FillRule.EvenOdd)
-    column = manifold3d.Manifold.extrude(section, 2 * far).translate((0.0, 0.0, -far))
+    column = prism(Polygon(plate.outline), -far, far)
     near = corners([thing.transform(plate_from_world) ^ column])
     flat = corners([shared.transform(plate_from_world)])[:, :2]
     if not len(near) or not len(flat):

@@ -24,6 +24,7 @@ from .errors import FabricationError
 from .frame import find_frame
 from .meshes import Mesh
 from .plates import Plate
+from .prisms import prism
 
 UP = np.array([0.0, 0.0, 1.0])
 
@@ -53,9 +54,8 @@ def plate_parts(plates: Iterable[Plate]) -> tuple[Part, ...]:
 
 
 def _body(plate: Plate) -> manifold3d.Manifold:
-    section = manifold3d.CrossSection([plate.outline, *plate.holes], manifold3d.FillRule.EvenOdd)
-    solid = manifold3d.Manifold.extrude(section, plate.thickness_mm)
-    return solid.transform(plate.world_from_plate[:3])
+    body = prism(plate.polygon, 0.0, plate.thickness_mm)
+    return body.transform(plate.world_from_plate[:3])
 
 
 def print_part(mesh: Mesh) -> Part:

@@ -67,14 +67,11 @@ class View:
 
 def plates_scene(plates: Sequence[Plate]) -> Scene:
     """Plates as wood with burnt edges."""
-    import manifold3d
+    from .prisms import prism
 
     triangles, owners, colours = [], [], []
     for number, plate in enumerate(plates):
-        section = manifold3d.CrossSection(
-            [plate.outline, *plate.holes], manifold3d.FillRule.EvenOdd
-        )
-        mesh = manifold3d.Manifold.extrude(section, plate.thickness_mm).to_mesh64()
+        mesh = prism(plate.polygon, 0.0, plate.thickness_mm).to_mesh64()
         local = np.asarray(mesh.vert_properties)[:, :3][np.asarray(mesh.tri_verts, dtype=int)]
         flat = np.ptp(local[:, :, 2], axis=1) < 1e-9
         place = plate.world_from_plate

@@ -18,6 +18,7 @@ from shapely.geometry import Polygon
 from ...solver.union_find import UnionFind
 from ...solver.values import Array
 from .errors import FabricationError
+from .prisms import prism
 from .seams import Corner, Seams, edge_frame, find_corners
 from .slanted_walls import FINE_MM, SlantedWall
 
@@ -27,14 +28,7 @@ OVERLAP_MM3 = 1e-6
 
 def plate_body(wall: SlantedWall, outline: Polygon) -> manifold3d.Manifold:
     """A wall's plate in the world."""
-    rings = [
-        np.array(ring.coords)[:-1]
-        for part in shapely.get_parts(outline)
-        for ring in (part.exterior, *part.interiors)
-    ]
-    section = manifold3d.CrossSection(rings, manifold3d.FillRule.EvenOdd)
-    solid = manifold3d.Manifold.extrude(section, wall.thickness_mm)
-    return solid.transform(wall.world_from_wall[:3])
+    return prism(outline, 0.0, wall.thickness_mm).transform(wall.world_from_wall[:3])
 
 
 def pointed(

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 from shapely.geometry import Polygon
 
 from ...solver.values import Array
@@ -27,6 +28,8 @@ MITRE_LIMIT = 5.0
 #: Shorter segments are left out, mm.
 LEAST_SEGMENT_MM = 0.05
 _LOST_MM2 = 1e-3
+#: A tip further away than this many short sides is left out.
+_FAR_TIP = 20
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -72,44 +75,108 @@ def cut_path(plate: Plate, kerf_mm: float, relief: str = "none", tool_mm: float 
     rings = [plate.outline, *plate.holes]
     if relief != "none":
         rings = relieved(plate, relief, tool_mm)
-    if kerf_mm == 0:
-        return CutPath(plate.id, plate.thickness_mm, rings[0], tuple(rings[1:]))
-    outline, *hollows = (Polygon(ring) for ring in rings)
-    outer = _moved(outline, kerf_mm / 2)
-    holes = [_moved(hollow, -kerf_mm / 2) for hollow in hollows]
-    narrow = _lost_mm2(outline, kerf_mm / 2) + sum(_lost_mm2(h, -kerf_mm / 2) for h in hollows)
-    if narrow > _LOST_MM2 or any(len(rings) != 1 for rings in (outer, *holes)):
+    paths = [_path(plate.id, ring, kerf_mm, hole=n > 0) for n, ring in enumerate(rings)]
+    return CutPath(plate.id, plate.thickness_mm, paths[0], tuple(paths[1:]))
+
+
+def _path(plate_id: str, ring: Array, kerf: float, *, hole: bool) -> Array:
+    """One ring's path; material lies on the left of both."""
+    if kerf == 0:
+        return _without_short(ring)
+    moved = _mitred(ring, kerf / 2)
+    if moved is None:
+        moved = _moved(ring[::-1] if hole else ring, -kerf / 2 if hole else kerf / 2)
+        moved = moved[::-1] if moved is not None and hole else moved
+    if moved is None:
         raise FabricationError(
-            f"a notch or hole is narrower than the kerf of {kerf_mm:g} mm",
-            (plate.id,),
+            f"a notch or hole is narrower than the kerf of {kerf:g} mm",
+            (plate_id,),
             "a smaller kerf, or wider fingers",
         )
-    return CutPath(plate.id, plate.thickness_mm, outer[0], tuple(rings[0][::-1] for rings in holes))
+    points = np.round(_without_short(moved), 6) + 0.0
+    first = min(range(len(points)), key=lambda n: (points[n, 0], points[n, 1]))
+    return np.asarray(np.roll(points, -first, axis=0))
 
 
-def _lost_mm2(polygon: Polygon, distance: float) -> float:
-    """Area of notches (or arms of holes) that vanish when the polygon is moved there and back."""
+def _mitred(ring: Array, distance: float) -> Array | None:
+    """The ring moved to its right, corner by corner; None where a side would vanish."""
+    ahead = np.roll(ring, -1, axis=0) - ring
+    ways = ahead / np.hypot(ahead[:, 0], ahead[:, 1])[:, None]
+    normals = np.column_stack([ways[:, 1], -ways[:, 0]])
+    before, ways_before = np.roll(normals, 1, axis=0), np.roll(ways, 1, axis=0)
+    # cos2 is the squared cosine of half the turn; the mitre is 1 / cos of the distance long.
+    cos2 = (1 + (normals * before).sum(axis=1)) / 2
+    turn = ways_before[:, 0] * ways[:, 1] - ways_before[:, 1] * ways[:, 0]
+    blunt = (turn < 0) | (cos2 * MITRE_LIMIT**2 >= 1)
+    if (cos2[blunt] < 1e-12).any():
+        return None
+    if blunt.all():
+        moved = ring + distance * (normals + before) / (2 * cos2)[:, None]
+        keeps = ((np.roll(moved, -1, axis=0) - moved) * ways).sum(axis=1) > 0
+        return moved if keeps.all() and shapely.LinearRing(moved).is_simple else None
+    # Where the mitre would be too long, it is cut off square to its own direction.
+    reach = MITRE_LIMIT * distance
+    points: list[Array] = []
+    for n, corner in enumerate(ring):
+        if blunt[n]:
+            points.append(corner + distance * (normals[n] + before[n]) / (2 * cos2[n]))
+            continue
+        half = np.sqrt(max(cos2[n], 0.0))
+        along = (reach - distance * half) / np.sqrt(1 - half**2)
+        points.append(corner + distance * before[n] + along * ways_before[n])
+        points.append(corner + distance * normals[n] - along * ways[n])
+    moved = np.array(points)
+    return moved if shapely.LinearRing(moved).is_simple and _keeps(moved, ring, blunt) else None
+
+
+def _keeps(moved: Array, ring: Array, blunt: NDArray[np.bool_]) -> bool:
+    """Whether all sides of a ring go the same way after it was moved."""
+    last = np.cumsum(np.where(blunt, 1, 2)) - 1
+    first = np.where(blunt, last, last - 1)
+    ahead = np.roll(ring, -1, axis=0) - ring
+    return bool(((moved[np.roll(first, -1)] - moved[last]) * ahead).sum(axis=1).min() > 0)
+
+
+def _moved(ring: Array, distance: float) -> Array | None:
+    """A counter-clockwise ring moved outwards (distance > 0) or inwards.
+
+    None where it falls into several, or where notches or arms vanish: when it is moved back, they
+    are missing.
+    """
+    polygon = Polygon(ring)
     there = polygon.buffer(distance, join_style="mitre", mitre_limit=MITRE_LIMIT)
     back = there.buffer(-distance, join_style="mitre", mitre_limit=MITRE_LIMIT)
     lost = back.difference(polygon) if distance > 0 else polygon.difference(back)
-    return float(lost.area)
+    if there.geom_type != "Polygon" or there.is_empty or there.interiors or lost.area > _LOST_MM2:
+        return None
+    return np.array(shapely.geometry.polygon.orient(there).exterior.coords)[:-1]
 
 
-def _moved(polygon: Polygon, distance: float) -> list[Array]:
-    """All rings of the polygon moved outwards (distance > 0) or inwards, counter-clockwise."""
-    moved = polygon.buffer(distance, join_style="mitre", mitre_limit=MITRE_LIMIT)
-    rings = []
-    for part in shapely.get_parts(moved):
-        if not part.is_empty:
-            part = shapely.geometry.polygon.orient(part)
-            rings += [_ring(ring) for ring in (part.exterior, *part.interiors)]
-    return rings
+def _without_short(ring: Array) -> Array:
+    """The ring without sides that are too short, its other sides where they were.
 
-
-def _ring(ring: shapely.LinearRing) -> Array:
-    points = np.array(ring.coords)[:-1]
-    long_enough = np.linalg.norm(points - np.roll(points, 1, axis=0), axis=1) >= LEAST_SEGMENT_MM
-    points = np.round(points[long_enough], 6) + 0.0
-    first = min(range(len(points)), key=lambda n: (points[n, 0], points[n, 1]))
-    rolled: Array = np.roll(points, -first, axis=0)
-    return rolled
+    A short side gives way to the point in which its neighbours meet; of a step the corner goes
+    that looks inwards, so that nothing of the part is lost.
+    """
+    points = ring
+    for _ in range(len(ring)):
+        ahead = np.roll(points, -1, axis=0) - points
+        lengths = np.hypot(ahead[:, 0], ahead[:, 1])
+        n = int(lengths.argmin())
+        if lengths[n] >= LEAST_SEGMENT_MM or len(points) < 4:
+            break
+        count = len(points)
+        m, before, after = (n + 1) % count, ahead[n - 1], ahead[(n + 1) % count]
+        cross = float(before[0] * after[1] - before[1] * after[0])
+        tip = None
+        if abs(cross) > 1e-9 * lengths[n - 1] * lengths[m]:
+            share = float(ahead[n][0] * after[1] - ahead[n][1] * after[0]) / cross
+            tip = points[n] + share * before
+        if tip is not None and np.hypot(*(tip - points[n])) < _FAR_TIP * LEAST_SEGMENT_MM:
+            points = points.copy()
+            points[n] = tip
+            points = np.delete(points, m, axis=0)
+        else:
+            inwards = float(before[0] * ahead[n][1] - before[1] * ahead[n][0]) < 0
+            points = np.delete(points, n if inwards else m, axis=0)
+    return points

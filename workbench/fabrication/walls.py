@@ -189,10 +189,12 @@ def _merged(group: list[_FlatFace], side: str) -> list[Wall]:
 
 def _interval(at: float, thickness: float, towards: int, side: str) -> tuple[float, float]:
     if towards == 0 or side == "middle":
-        return at - thickness / 2, at + thickness / 2
-    if (towards > 0) == (side == "inside"):
-        return at, at + thickness
-    return at - thickness, at
+        low = at - thickness / 2
+    else:
+        low = at if (towards > 0) == (side == "inside") else at - thickness
+    # On the grid like all other coordinates: what the grid rounds is no border of a cell.
+    low = round(low, 6)
+    return low, round(low + round(thickness, 6), 6)
 
 
 def tidy(polygon: Polygon) -> Polygon:

@@ -35,8 +35,6 @@ def overlaps(
     return {(a, b): (bodies[a] ^ bodies[b]).volume() for a, b in combinations(bodies, 2)}
 
 
-def union(
-    plates: tuple[Plate, ...], frame_from_world: np.ndarray | None = None
-) -> m3.Manifold:
+def union(plates: tuple[Plate, ...], frame_from_world: np.ndarray | None = None) -> m3.Manifold:
     bodies = [body(plate, frame_from_world) for plate in plates]
     return m3.Manifold.batch_boolean(bodies, m3.OpType.Add)

@@ -32,6 +32,7 @@ from .partitions import partitioned
 from .seams import EdgeKey, EdgeNames, Seam, Seams, edge_frame, find_seams
 from .settings import PlateSettings
 from .slanted_walls import FINE_MM, SlantedWall, slanted_walls
+from .slivers import without_slivers
 from .trimming import pointed, trimmed, trimmed_at_openings
 from .walls import tidy
 
@@ -116,7 +117,10 @@ def _outlines(
         outlines = trimmed_at_openings(walls, openings, outlines, len(made))
         outlines = partitioned(walls, outlines, len(made), plan, settings, names)
     outlines = trimmed(walls, outlines)
-    whole = [_whole(wall, outline) for wall, outline in zip(walls, outlines, strict=True)]
+    whole = [
+        _whole(wall, without_slivers(outline, wall.thickness_mm, settings.kerf_mm))
+        for wall, outline in zip(walls, outlines, strict=True)
+    ]
     order = list(model.faces)
     ranks = [order.index(wall.face_ids[0]) for wall in walls]
     sequence = sorted(range(len(walls)), key=ranks.__getitem__)
@@ -283,11 +287,15 @@ def _outline(
         for e, edge in enumerate(ring):
             before, after = ring[e - 1], ring[(e + 1) % len(ring)]
             if edge.tip < 0:
-                added.append(_strip(edge, before, after, (edge.tip, 0.0), to_tips=True))
+                added.append(_strip(edge, before, after, (edge.tip, 0.0), reach="tips"))
+            band = bands[w, r, e] if edge.seam is not None else None
             if edge.tip > 0:
-                removed.append(_strip(edge, before, after, (0.0, edge.tip)))
-            if edge.seam is not None:
-                band = bands[w, r, e]
+                # Behind a corner that looks inwards nothing sticks out; there only others' ends
+                # need room.
+                own = band is None or band.owner == w
+                reach = "tip" if own else "notch"
+                removed.append(_strip(edge, before, after, (0.0, edge.tip), reach=reach))
+            if band is not None:
                 removed += _lost(edge, before, after, band, owner=band.owner == w)
     base = Polygon(wall.rings[0], wall.rings[1:])
     whole = shapely.union_all([base, *added], grid_size=FINE_MM)
@@ -323,26 +331,30 @@ def _strip(
     band: tuple[float, float],
     ends: tuple[float | None, float | None] = (None, None),
     *,
-    to_tips: bool = False,
+    reach: str = "notch",
 ) -> Polygon:
-    """The part of an edge's strip between two depths; an end of None goes on to the corner."""
+    """The part of an edge's strip between two depths; an end of None goes on to the corner.
+
+    Behind corners that look inwards to the neighbour's line of ``notch`` or ``tip``; ``tips``
+    says the latter of all corners.
+    """
     corners = []
     for x, order in ((band[0], (0, 1)), (band[1], (1, 0))):
         for end in order:
             s = ends[end]
             if s is None:
                 neighbour = after if end else before
-                s = _corner_end(edge, x, neighbour, at_end=bool(end), to_tips=to_tips)
+                s = _corner_end(edge, x, neighbour, at_end=bool(end), reach=reach)
             corners.append((s, x))
     return edge.area(corners).buffer(0)
 
 
-def _corner_end(edge: _Edge, x: float, neighbour: _Edge, *, at_end: bool, to_tips: bool) -> float:
+def _corner_end(edge: _Edge, x: float, neighbour: _Edge, *, at_end: bool, reach: str) -> float:
     """How far a strip goes on at a corner: to the neighbour's line, or behind its notches."""
-    if to_tips:
+    if reach == "tips":
         depth = neighbour.tip
     elif _turns_in(edge, neighbour, at_end=at_end):
         depth = min(0.0, neighbour.tip)
     else:
-        depth = max(neighbour.notch, 0.0)
+        depth = max(neighbour.tip if reach == "tip" else neighbour.notch, 0.0)
     return _meeting(edge, x, neighbour, depth, at_end=at_end)

@@ -27,7 +27,9 @@ from .relief import relieved
 MITRE_LIMIT = 5.0
 #: Shorter segments are left out, mm.
 LEAST_SEGMENT_MM = 0.05
-_LOST_MM2 = 1e-3
+#: What may stay uncut in a notch's corner, in squares of half a kerf: a round beam leaves 0.2.
+_LOST_SHARE = 2.0
+_SHARPEST = 20.0
 #: A tip further away than this many short sides is left out.
 _FAR_TIP = 20
 
@@ -145,9 +147,12 @@ def _moved(ring: Array, distance: float) -> Array | None:
     """
     polygon = Polygon(ring)
     there = polygon.buffer(distance, join_style="mitre", mitre_limit=MITRE_LIMIT)
-    back = there.buffer(-distance, join_style="mitre", mitre_limit=MITRE_LIMIT)
+    # No beam reaches the end of a sharp notch; only what is narrow all along is missing.
+    back = there.buffer(-distance, join_style="mitre", mitre_limit=_SHARPEST)
     lost = back.difference(polygon) if distance > 0 else polygon.difference(back)
-    if there.geom_type != "Polygon" or there.is_empty or there.interiors or lost.area > _LOST_MM2:
+    if there.geom_type != "Polygon" or there.is_empty or there.interiors:
+        return None
+    if max(part.area for part in shapely.get_parts(lost)) > _LOST_SHARE * distance**2:
         return None
     return np.array(shapely.geometry.polygon.orient(there).exterior.coords)[:-1]
 

@@ -60,7 +60,8 @@ def relieved(plate: Plate, relief: str, tool_mm: float) -> list[Array]:
     # What vanishes when the material grows by the cutter and shrinks again is too narrow for it.
     reach = 0.499 * tool_mm
     grown = plate.polygon.buffer(reach, join_style="mitre")
-    missed = grown.buffer(-reach, join_style="mitre").difference(plate.polygon)
+    back = grown.buffer(-reach, join_style="mitre", mitre_limit=20.0)
+    missed = back.difference(plate.polygon)
     if cut.geom_type != "Polygon" or missed.area > 0.01 * tool_mm**2:
         raise FabricationError(
             f"a notch or hole has no room for a cutter of {tool_mm:g} mm",

@@ -13,7 +13,8 @@ partition
 
 Points close to both sides of each face, some in between and some far away are nodes; two nodes
 that see each other past all barriers are connected. What is connected to a far one is outside.
-The test is exact for closed objects of any form. Where the object does not close (a bracket of
+The test is exact for closed objects of any form. Right-angled ones are flooded cell by cell, which
+is the same and takes a hundredth of the time. Where the object does not close (a bracket of
 two faces), the inside is the side on which the rest of the object lies.
 """
 
@@ -28,6 +29,7 @@ from numpy.typing import NDArray
 from shapely.geometry import Polygon
 
 from ...solver.values import Array
+from .flooding import flooded
 from .frame import newell
 from .openings import caps
 
@@ -76,20 +78,34 @@ def face_sides(faces: Mapping[str, Loops], made: Sequence[str]) -> dict[str, int
     loops = list(faces.values())
     points = np.vstack([loop for face in loops for loop in face])
     size = float(np.linalg.norm(np.ptp(points, axis=0)))
+    closing = [(cap,) for cap in caps(loops, size)]
+    shares = flooded(faces, closing, made)
+    if shares is None:
+        shares = _seen(faces, closing, made, size)
+    return {id_: _side(np.array(shares[id_]), faces[id_][0], points, 1e-3 * size) for id_ in made}
+
+
+def _seen(
+    faces: Mapping[str, Loops], closing: Sequence[Loops], made: Sequence[str], size: float
+) -> dict[str, tuple[float, float]]:
+    """How much of each face has inside below it and above it, at any angles."""
+    loops = list(faces.values())
+    points = np.vstack([loop for face in loops for loop in face])
     barriers = [_barrier(face, 1e-7 * size) for face in loops]
-    barriers += [_barrier((cap,), 1e-7 * size) for cap in caps(loops, size)]
+    barriers += [_barrier(cap, 1e-7 * size) for cap in closing]
     # Large ones first: they block most views, which the others need not look at then.
     barriers.sort(key=lambda barrier: -barrier.extent)
     samples = {id_: _samples(faces[id_], 1e-4 * size) for id_ in made}
     nodes = np.vstack([*(pair.reshape(-1, 3) for pair in samples.values()), _between(points)])
     outside = _reached(nodes, _far(points, size), barriers)
-    sides, start = {}, 0
+    shares, start = {}, 0
     for id_ in made:
         count = len(samples[id_][0])
         inside = ~outside[start : start + 2 * count].reshape(2, count)
         start += 2 * count
-        sides[id_] = _side(inside.mean(axis=1), faces[id_][0], points, 1e-3 * size)
-    return sides
+        below, above = inside.mean(axis=1).tolist()
+        shares[id_] = below, above
+    return shares
 
 
 def _side(inside: Array, loop: Array, points: Array, tolerance: float) -> int:

@@ -26,7 +26,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 import numpy as np
 import shapely
 from fabrication import shapes, slanted
-from fabrication.bodies import body, overlaps
+from fabrication.bodies import body, drawn_body, overlaps
 from scipy.spatial import HalfspaceIntersection
 
 from incontext.solver.model import Model
@@ -291,9 +291,22 @@ def broken(model: Model, settings: PlateSettings, joined: Joined) -> Iterator[st
             yield f"{pair} overlap by {volume:.3g} mm3"
     for plate in plates:
         yield from _of_plate(plate, settings)
+    yield from _of_body(model, plates, settings.side)
     marks = edge_marks(plates, joined.joints)
     sheets = lay_out(plates, settings, marks)
     yield from _of_sheets(sheets, settings, plates)
+
+
+def _of_body(model: Model, plates: tuple[Plate, ...], side: str) -> Iterator[str]:
+    """Plates inside of the faces stay within, plates outside of them without."""
+    drawn = drawn_body(model) if side != "middle" else None
+    if drawn is None:
+        return
+    for plate in plates:
+        solid = body(plate)
+        wrong = solid - drawn if side == "inside" else solid ^ drawn
+        if wrong.volume() > 1e-3:
+            yield f"{plate.id} lies on the wrong side of the faces with {wrong.volume():.3g} mm3"
 
 
 def _of_plate(plate: Plate, settings: PlateSettings) -> Iterator[str]:

@@ -5,8 +5,11 @@ from itertools import combinations
 import manifold3d as m3
 import numpy as np
 
+from incontext.solver.model import Model
+from incontext.workbench.fabrication.enclosed import enclosed
 from incontext.workbench.fabrication.plates import Plate
 from incontext.workbench.fabrication.prisms import prism
+from incontext.workbench.fabrication.sides import face_sides
 
 
 def body(plate: Plate, frame_from_world: np.ndarray | None = None) -> m3.Manifold:
@@ -38,3 +41,11 @@ def overlaps(
 def union(plates: tuple[Plate, ...], frame_from_world: np.ndarray | None = None) -> m3.Manifold:
     bodies = [body(plate, frame_from_world) for plate in plates]
     return m3.Manifold.batch_boolean(bodies, m3.OpType.Add)
+
+
+def drawn_body(model: Model) -> m3.Manifold | None:
+    """What the faces enclose, where each edge has two of them."""
+    faces = model.faces
+    loops = {id_: (face.loop, *face.holes) for id_, face in faces.items()}
+    placed = {id_: (face.loop_mm, *face.holes_mm) for id_, face in faces.items()}
+    return enclosed(loops, model.vertices_mm, face_sides(placed, list(placed)))

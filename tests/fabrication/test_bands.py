@@ -1,5 +1,6 @@
 """Plates at any angles: no overlap, nothing outside, one piece, and no more void than must be."""
 
+import itertools
 import math
 
 import manifold3d as m3
@@ -7,7 +8,7 @@ import numpy as np
 import pytest
 import shapely
 from fabrication import shapes, slanted
-from fabrication.bodies import body, overlaps, union
+from fabrication.bodies import body, drawn_body, overlaps, union
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
@@ -18,6 +19,7 @@ from incontext.workbench.fabrication import (
     make_plates,
 )
 from incontext.workbench.fabrication.dihedral import takes_fingers, tip_and_notch
+from incontext.workbench.fabrication.frame import newell
 
 CHEVRON = [(0, 0), (60, 40), (120, 0), (120, 60), (60, 100), (0, 60)]
 
@@ -203,18 +205,40 @@ def test_outside_of_a_pyramid_of_unequal_plates_leaves_the_void_that_it_must():
     assert 0.93 * walls < whole.volume() < walls
 
 
-def test_a_corner_that_cannot_be_split_is_named():
+def spire(thickness) -> shapes.Model:
+    """A tip over a plan that looks inwards twice: its edges there are convex and concave."""
     plan = [(0, 0), (60, 40), (120, 0), (130, 70), (60, 100), (0, 60)]
-    tip = (60.0, 62.0, 90.0)
     loops = {"bottom": [(x, y, 0.0) for x, y in plan]}
-    for n, corner in enumerate(plan):
-        after = plan[(n + 1) % len(plan)]
-        loops[f"s{n}"] = [(*corner, 0.0), (*after, 0.0), tip]
-    model = shapes.model(loops)
-    make_plates(model)
-    with pytest.raises(FabricationError, match="meet in v7, material cannot lie outside") as caught:
-        make_plates(model, PlateSettings(side="outside"))
-    assert caught.value.ids == ("s0", "s1", "s2", "s3", "s4", "s5")
+    for n, (a, b) in enumerate(itertools.pairwise((*plan, plan[0]))):
+        loops[f"s{n}"] = [(*a, 0.0), (*b, 0.0), (60.0, 62.0, 90.0)]
+    chosen = thickness if isinstance(thickness, float) else dict(zip(loops, thickness, strict=True))
+    return shapes.model(loops, thickness=chosen, turned=3)
+
+
+@pytest.mark.parametrize("thickness", [3.0, (3, 2, 4, 3, 5, 2, 3)])
+@pytest.mark.parametrize("side", ["inside", "outside", "middle"])
+def test_a_vertex_of_convex_and_concave_edges(side, thickness):
+    """Its moved planes meet in no point and bound no cone: each plate ends by itself."""
+    model = spire(thickness)
+    plates = make_plates(model, PlateSettings(side=side))
+    assert max(overlaps(plates).values()) <= 1e-6
+    drawn = drawn_body(model)
+    for plate in plates:
+        solid, whole = body(plate), model.faces[plate.id]
+        wrong = {"inside": solid - drawn, "outside": solid ^ drawn}.get(side, m3.Manifold())
+        assert wrong.volume() <= 1e-3
+        assert plate.polygon.buffer(-0.05).geom_type == "Polygon"
+        # Not cut off either: most of the face is covered.
+        assert plate.polygon.area > 0.75 * np.linalg.norm(newell(whole.loop_mm))
+
+
+def test_a_plate_ends_at_an_opening_beside_an_edge_that_looks_inwards():
+    """Material outside of the faces next to the open side of an arrow: none of it in the arrow."""
+    plan = [(0, 0), (60, 20), (120, 0), (60, 110)]
+    model = shapes.model(shapes.prism(plan, 60), left_out=("side1",))
+    drawn = drawn_body(model)
+    plates = make_plates(model, PlateSettings(side="outside"))
+    assert max((body(plate) ^ drawn).volume() for plate in plates) <= 1e-3
 
 
 def test_fingers_that_would_cut_a_plate_are_left_out_and_it_is_said():

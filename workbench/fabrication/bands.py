@@ -14,6 +14,7 @@ end
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -33,11 +34,13 @@ from .seams import EdgeKey, EdgeNames, Seam, Seams, edge_frame, find_seams
 from .settings import PlateSettings
 from .slanted_walls import FINE_MM, SlantedWall, slanted_walls
 from .slivers import without_slivers
-from .trimming import pointed, trimmed, trimmed_at_openings
+from .trimming import on_its_side, pointed, trimmed, trimmed_at_openings
 from .walls import tidy
 
 #: Up to such a part of a plate may be left out: corners that joints would cut loose.
 LOOSE_SHARE = 0.03
+#: How far from its face's corner a plate may reach beyond concave edges, in parts of that width.
+WIDENED_LIMIT = 2.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -99,7 +102,7 @@ def _outlines(
     model: Model, settings: PlateSettings, plan: JointPlan
 ) -> tuple[tuple[SlantedWall, ...], list[Polygon]]:
     """The outlines with the joints that the plan allows."""
-    walls, partitions = slanted_walls(model, settings.side)
+    walls, partitions, drawn = slanted_walls(model, settings.side)
     seams = find_seams(walls)
     edges = [_edges(w, walls, seams) for w in range(len(walls))]
     made = tuple(wall for wall in walls if wall.thickness_mm > 0)
@@ -111,6 +114,7 @@ def _outlines(
     bands = _bands(walls, seams, edges, plan, settings, names)
     outlines = [_outline(w, walls, edges, bands) for w in range(len(walls))]
     outlines = pointed(walls, seams, outlines)
+    outlines = on_its_side(walls, outlines, drawn, settings.side)
     if partitions:
         walls = (*walls, *partitions)
         outlines += [Polygon(wall.rings[0], wall.rings[1:]) for wall in partitions]
@@ -223,11 +227,20 @@ def _edges(w: int, walls: Sequence[SlantedWall], seams: Seams) -> list[list[_Edg
                 other = walls[seam.other].thickness_mm
                 tip, notch = tip_and_notch(seam.theta_rad, wall.thickness_mm, other)
                 if other == 0:  # at an opening the plate only must not stick out
-                    tip = notch = max(tip, 0.0) if seam.theta_rad < np.pi else 0.0
+                    tip = notch = _past_opening(seam.theta_rad, wall)
                     seam = None
             edges.append(_Edge(*edge_frame(wall, r, e), tip, notch, seam))
         result.append(edges)
     return result
+
+
+def _past_opening(theta: float, wall: SlantedWall) -> float:
+    """How far back a plate ends at an opening, so that it sticks out nowhere.
+
+    Where the edge is concave only material outside of the drawn face can lie in the object.
+    """
+    deep = wall.thickness_mm if theta < math.pi else wall.drawn_mm
+    return max(0.0, deep / math.tan(theta))
 
 
 def _meeting(edge: _Edge, x: float, neighbour: _Edge, depth: float, *, at_end: bool) -> float:
@@ -299,6 +312,11 @@ def _outline(
                 removed += _lost(edge, before, after, band, owner=band.owner == w)
     base = Polygon(wall.rings[0], wall.rings[1:])
     whole = shapely.union_all([base, *added], grid_size=FINE_MM)
+    if added:
+        # Where it is drawn to a point, what is added must not go on beyond it.
+        widest = -min(edge.tip for ring in edges[w] for edge in ring)
+        near = base.buffer(widest + FINE_MM, join_style="mitre", mitre_limit=WIDENED_LIMIT)
+        whole = whole.intersection(near, grid_size=FINE_MM)
     # Wider by a few grid steps, so that rounding never makes two plates overlap.
     lost = shapely.union_all(removed, grid_size=FINE_MM).buffer(4 * FINE_MM, join_style="mitre")
     cut = whole.difference(lost, grid_size=FINE_MM)

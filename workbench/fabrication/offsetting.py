@@ -9,6 +9,9 @@ regular
 split
     What becomes of another vertex: several corners with short edges between them, those of the
     cone that its moved planes bound. A face then has a chain of corners in its place.
+mixed
+    A vertex where some edges look outwards and others inwards, so that no such cone is bounded:
+    each face ends in its own corner there, where it meets its two neighbours.
 """
 
 from __future__ import annotations
@@ -19,13 +22,14 @@ from itertools import pairwise
 import numpy as np
 
 from ...solver.values import Array
-from .errors import FabricationError
 
 Loops = Sequence[Sequence[str]]
 #: Planes meet in one point if they miss it by less, mm.
 _ONE_POINT_MM = 1e-6
 #: How far a clipped plane reaches, in parts of the largest move.
 _FAR = 1e5
+#: Cosine from which two faces lie in one plane.
+_ONE_PLANE = 1 - 1e-9
 
 
 def moved_out(
@@ -50,28 +54,27 @@ def moved_out(
     -------
     dict of face id to rings
         One for each loop, (n, 3) each.
-
-    Raises
-    ------
-    FabricationError
-        Naming the faces that meet in a vertex which cannot be split.
     """
-    corners = {
-        v: _corners(v, faces, vertices, loops, inwards, moves)
-        for v, faces in _faces_at(loops, inwards).items()
-    }
-    return {
-        id_: tuple(
-            np.vstack(
-                [
-                    _placed(corners[v][id_], before, after, vertices[v])
-                    for before, v, after in _around(loop, vertices)
-                ]
-            )
-            for loop in loops[id_]
-        )
-        for id_ in inwards
-    }
+    at = _faces_at(loops, inwards)
+    corners = {v: _corners(v, at[v], vertices, loops, inwards, moves) for v in at}
+    beside = _beside(loops, inwards)
+    result: dict[str, tuple[Array, ...]] = {}
+    for id_ in inwards:
+        rings = []
+        for loop in loops[id_]:
+            chains = []
+            for n, v in enumerate(loop):
+                before, after = loop[n - 1], loop[(n + 1) % len(loop)]
+                chain = corners[v].get(id_)
+                if chain is None:
+                    ends = (beside.get((before, v)), beside.get((v, after)))
+                    neighbours = [f for pair in ends for f in (pair or ()) if f != id_]
+                    move = _own_move(id_, neighbours, inwards, moves)
+                    chain = np.array([vertices[v] + move])
+                chains.append(_placed(chain, *(vertices[w] for w in (before, after, v))))
+            rings.append(np.vstack(chains))
+        result[id_] = tuple(rings)
+    return result
 
 
 def _faces_at(loops: Mapping[str, Loops], shown: Mapping[str, Array]) -> dict[str, list[str]]:
@@ -82,10 +85,17 @@ def _faces_at(loops: Mapping[str, Loops], shown: Mapping[str, Array]) -> dict[st
     return found
 
 
-def _around(loop: Sequence[str], vertices: Mapping[str, Array]) -> list[tuple[Array, str, Array]]:
-    """Each vertex of a loop with the places before and after it."""
-    places = [vertices[v] for v in loop]
-    return [(places[k - 1], v, places[(k + 1) % len(loop)]) for k, v in enumerate(loop)]
+def _beside(
+    loops: Mapping[str, Loops], shown: Mapping[str, Array]
+) -> dict[tuple[str, str], list[str]]:
+    """The faces at each edge, both ways."""
+    found: dict[tuple[str, str], list[str]] = {}
+    for id_ in shown:
+        for loop in loops[id_]:
+            for v, w in pairwise((*loop, loop[0])):
+                found.setdefault((v, w), []).append(id_)
+                found.setdefault((w, v), []).append(id_)
+    return found
 
 
 def _placed(chain: Array, before: Array, after: Array, at: Array) -> Array:
@@ -105,13 +115,29 @@ def _corners(
     inwards: Mapping[str, Array],
     moves: Mapping[str, float],
 ) -> dict[str, Array]:
-    """Where a vertex goes, for each of its faces, (n, 3)."""
+    """Where a vertex goes, for each of its faces, (n, 3); nothing for a mixed one."""
     move = _common_move(faces, inwards, moves)
     if move is None:  # an opening need not be kept to
         move = _common_move([f for f in faces if moves[f] > 0], inwards, moves)
     if move is not None:
         return dict.fromkeys(faces, np.array([vertices[v] + move]))
     return _split(v, faces, vertices, loops, inwards, moves)
+
+
+def _own_move(
+    face: str,
+    neighbours: Sequence[str],
+    inwards: Mapping[str, Array],
+    moves: Mapping[str, float],
+) -> Array:
+    """How a face's own corner moves: in its moved plane, onto the lines of its neighbours."""
+    own = -inwards[face]
+    # Neighbours in the same plane say nothing about where the corner goes.
+    others = [f for f in neighbours if abs(float(inwards[f] @ own)) < _ONE_PLANE]
+    normals = np.array([own, *(-inwards[f] for f in others)])
+    wished = np.array([moves[f] for f in (face, *others)])
+    move: Array = np.linalg.lstsq(normals, wished, rcond=1e-6)[0]
+    return move + (moves[face] - float(own @ move)) * own
 
 
 def _common_move(
@@ -134,7 +160,7 @@ def _split(
     inwards: Mapping[str, Array],
     moves: Mapping[str, float],
 ) -> dict[str, Array]:
-    """The corners of the cone that a vertex's moved planes bound."""
+    """The corners of the cone that a vertex's moved planes bound; nothing of a mixed vertex."""
     normals = np.array([-inwards[f] for f in faces])
     wished = np.array([moves[f] for f in faces])
     sense = _sense(v, faces, vertices, loops, normals)
@@ -143,12 +169,7 @@ def _split(
         others = np.arange(len(faces)) != k
         chain = _chain(normals[k], wished[k], sense * normals[others], sense * wished[others])
         if not sense or not len(chain):
-            raise FabricationError(
-                f"where these {len(faces)} faces meet in {v}, material cannot lie outside of "
-                "them or in their middle: their planes, moved, meet in no point",
-                faces,
-                "side inside, or one thickness for all of them",
-            )
+            return {}
         found[face] = vertices[v] + chain
     return found
 

@@ -17,12 +17,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
+import manifold3d
 import numpy as np
 import shapely
 from shapely.geometry import Polygon
 
 from ...solver.model import Model
 from ...solver.values import Array
+from .enclosed import enclosed
 from .errors import FabricationError
 from .frame import SNAP_MM, newell
 from .offsetting import moved_out
@@ -60,8 +62,8 @@ class SlantedWall:
 
 def slanted_walls(
     model: Model, side: str
-) -> tuple[tuple[SlantedWall, ...], tuple[SlantedWall, ...]]:
-    """The walls of a model whose faces stand at any angles, then its openings; and partitions.
+) -> tuple[tuple[SlantedWall, ...], tuple[SlantedWall, ...], manifold3d.Manifold | None]:
+    """The walls of a model at any angles, then its openings; partitions; what the faces enclose.
 
     Raises
     ------
@@ -92,7 +94,8 @@ def slanted_walls(
         for wall in _walls(group, outer, inwards[group[0]], thickness[group[0]], share)
     ]
     walls.sort(key=lambda wall: shown.index(wall.face_ids[0]))
-    return _with_common_corners(walls), _partitions(model, partitions, loops, vertices)
+    drawn = enclosed({id_: loops[id_] for id_ in shown}, vertices, sides)
+    return _with_common_corners(walls), _partitions(model, partitions, loops, vertices), drawn
 
 
 def _partitions(
@@ -175,9 +178,7 @@ def _walls(
         rings = [(ring - origin) @ place[:3, :2] for ring in placed[id_]]
         polygons[id_] = Polygon(rings[0], rings[1:])
         if not polygons[id_].is_valid:
-            raise FabricationError(
-                "the outline crosses itself", (id_,), "draw the face's edges in order"
-            )
+            raise _crossing(id_, drawn=share == 0.0)
     union = shapely.union_all(list(polygons.values()), grid_size=FINE_MM)
     walls = []
     for part in shapely.get_parts(union):
@@ -188,6 +189,19 @@ def _walls(
             SlantedWall(tuple(ids), float(thickness), place, tuple(outline), share * thickness)
         )
     return walls
+
+
+def _crossing(face: str, *, drawn: bool) -> FabricationError:
+    if drawn:
+        return FabricationError(
+            "the outline crosses itself", (face,), "draw the face's edges in order"
+        )
+    return FabricationError(
+        "the face has edges too short for material outside of it or in its middle: moved there, "
+        "its outline crosses itself",
+        (face,),
+        "side inside, or thinner plates",
+    )
 
 
 def _with_common_corners(walls: Sequence[SlantedWall]) -> tuple[SlantedWall, ...]:

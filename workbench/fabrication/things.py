@@ -28,7 +28,7 @@ from ...solver.model import turned_profile
 from ...solver.solution import Solution
 from ...solver.union_find import UnionFind
 from ...solver.values import Array
-from .frame import newell
+from .enclosed import enclosed, plane_axes
 from .sides import face_sides
 
 #: What lies no higher is on the ground, mm.
@@ -152,46 +152,9 @@ def _points(loop: Sequence[str], vertices: Mapping[str, Array]) -> Array:
 
 def _closed(faces: Mapping[str, Face], vertices: Mapping[str, Array]) -> manifold3d.Manifold | None:
     """The body that faces enclose, where they close."""
-    users: dict[frozenset[str], int] = {}
-    for face in faces.values():
-        for loop in face.loops:
-            for pair in _pairs(loop):
-                users[frozenset(pair)] = users.get(frozenset(pair), 0) + 1
-    if len(faces) < 4 or set(users.values()) != {2}:
-        return None
     placed = {id_: tuple(_points(loop, vertices) for loop in f.loops) for id_, f in faces.items()}
-    inside = face_sides(placed, list(placed))
-    names = {v: k for k, v in enumerate(vertices)}
-    triangles = []
-    for id_, face in faces.items():
-        corners = np.array([names[v] for loop in face.loops for v in loop])
-        flat = corners[_triangulated(placed[id_])]
-        triangles.append(flat[:, ::-1] if inside[id_] > 0 else flat)
-    mesh = manifold3d.Mesh64(
-        np.array(list(vertices.values())), np.vstack(triangles).astype(np.uint64)
-    )
-    body = manifold3d.Manifold(mesh)
-    return None if body.is_empty() or body.volume() <= 0 else body
-
-
-def _axes(loop: Array) -> Array:
-    """Two directions in a loop's plane and its normal, as rows."""
-    normal = newell(loop) / np.linalg.norm(newell(loop))
-    along = loop[1] - loop[0]
-    along = along / np.linalg.norm(along)
-    return np.array([along, np.cross(normal, along), normal])
-
-
-def _triangulated(loops: Sequence[Array]) -> Array:
-    """Triangles of a face as numbers of its corners, turning as its outer loop does."""
-    axes = _axes(loops[0])
-    flat = [(loop - loops[0][0]) @ axes[:2].T for loop in loops]
-    start = np.cumsum([0, *(len(loop) for loop in loops)])
-    order = [np.arange(a, b) for a, b in pairwise(start)]
-    for n, ring in enumerate(flat):
-        if shapely.LinearRing(ring).is_ccw != (n == 0):
-            flat[n], order[n] = ring[::-1], order[n][::-1]
-    return np.asarray(np.concatenate(order)[np.asarray(manifold3d.triangulate(flat))])
+    sides = face_sides(placed, list(placed)) if len(faces) > 3 else {}
+    return enclosed({id_: face.loops for id_, face in faces.items()}, vertices, sides)
 
 
 def _convex(faces: Mapping[str, Face], vertices: Mapping[str, Array]) -> manifold3d.Manifold | None:
@@ -206,7 +169,7 @@ def _convex(faces: Mapping[str, Face], vertices: Mapping[str, Array]) -> manifol
         return None
     for face in faces.values():
         loop = _points(face.loop, vertices)
-        heights = (points - loop[0]) @ _axes(loop)[2]
+        heights = (points - loop[0]) @ plane_axes(loop)[2]
         if heights.min() < -1e-3 * size and heights.max() > 1e-3 * size:
             return None
     # A corner within the body would be a dent.
@@ -232,7 +195,7 @@ def _hidden_corner(faces: Mapping[str, Face], vertices: Mapping[str, Array]) -> 
 
 def _flat(loops: Sequence[Array]) -> manifold3d.Manifold:
     """A face as a thin plate."""
-    axes = _axes(loops[0])
+    axes = plane_axes(loops[0])
     section = manifold3d.CrossSection(
         [(loop - loops[0][0]) @ axes[:2].T for loop in loops], manifold3d.FillRule.EvenOdd
     )

@@ -24,6 +24,8 @@ from .slanted_walls import FINE_MM, SlantedWall
 
 #: Plates may share so little, mm3: rounding.
 OVERLAP_MM3 = 1e-6
+#: Plates may lie so far on the wrong side of the drawn faces.
+_TOUCH_MM, _LEAST_WRONG_MM3 = 1e-3, 1e-4
 
 
 def plate_body(wall: SlantedWall, outline: Polygon) -> manifold3d.Manifold:
@@ -56,6 +58,31 @@ def pointed(
                 shared = plate_body(walls[w], result[w]) ^ outside
                 if w != other and shared.volume() > OVERLAP_MM3:
                     result[w] = result[w].difference(shadow_of(walls[w], shared), grid_size=FINE_MM)
+    return result
+
+
+def on_its_side(
+    walls: Sequence[SlantedWall],
+    outlines: Sequence[Polygon],
+    drawn: manifold3d.Manifold | None,
+    side: str,
+) -> list[Polygon]:
+    """The outlines without what would lie on the wrong side of the drawn faces.
+
+    That can be where edges that look outwards and inwards meet in one vertex.
+    """
+    result = list(outlines)
+    if drawn is None or side == "middle":
+        return result
+    for n, wall in enumerate(walls):
+        # Smaller by a little, for it touches the drawn faces.
+        core = result[n].buffer(-_TOUCH_MM, join_style="mitre")
+        body = prism(core, _TOUCH_MM, wall.thickness_mm - _TOUCH_MM)
+        body = body.transform(wall.world_from_wall[:3])
+        wrong = body - drawn if side == "inside" else body ^ drawn
+        if wrong.volume() > _LEAST_WRONG_MM3:
+            lost = shadow_of(wall, wrong).buffer(_TOUCH_MM, join_style="mitre")
+            result[n] = result[n].difference(lost, grid_size=FINE_MM)
     return result
 
 

@@ -10,11 +10,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
 import shapely
 from shapely.geometry import Polygon, box
 
 from .errors import FabricationError
 from .pieces import NO_SLACK, Piece
+from .rectilinear import less_boxes, wide_all_over
 from .repairs import Repair
 from .walls import GRID_MM, Wall, tidy
 
@@ -74,13 +76,17 @@ def cut_outlines(walls: Sequence[Wall], pieces: Sequence[Piece]) -> list[Polygon
 
 def _outline(number: int, wall: Wall, pieces: Sequence[Piece]) -> Polygon:
     holes = [
-        _projected(piece, wall, number)
+        _bounds(piece, wall, number)
         for piece in pieces
         if piece.owner != number and _overlaps(piece, wall)
     ]
     if not holes:
         return wall.region
-    cut = wall.region.difference(shapely.union_all(holes), grid_size=GRID_MM)
+    boxes = np.array(holes)
+    quick = less_boxes(wall.region, np.round(boxes, 6) + 0.0)
+    if quick is not None:
+        return quick
+    cut = wall.region.difference(shapely.union_all(shapely.box(*boxes.T)), grid_size=GRID_MM)
     return _without_dust(cut)
 
 
@@ -101,9 +107,14 @@ def _depth(piece: Piece, wall: Wall) -> float:
 
 
 def _projected(piece: Piece, wall: Wall, number: int) -> Polygon:
+    return box(*_bounds(piece, wall, number))
+
+
+def _bounds(piece: Piece, wall: Wall, number: int) -> tuple[float, float, float, float]:
+    """Low u and v, high u and v of a piece in a wall's region."""
     slack = piece.slack if piece.rivals[:1] == (number,) else NO_SLACK
     u, v = wall.plane_axes
-    return box(
+    return (
         piece.low_mm[u] - slack[u][0],
         piece.low_mm[v] - slack[v][0],
         piece.high_mm[u] + slack[u][1],
@@ -113,6 +124,8 @@ def _projected(piece: Piece, wall: Wall, number: int) -> Polygon:
 
 def _parts(outline: Polygon) -> list[Polygon]:
     """The parts of an outline that hang together by more than a neck."""
+    if outline.geom_type == "Polygon" and wide_all_over(outline, 2 * NECK_MM):
+        return [outline]
     thinned = outline.buffer(-NECK_MM, join_style="mitre")
     return [part for part in shapely.get_parts(thinned) if part.area > NECK_MM**2]
 

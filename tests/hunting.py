@@ -305,7 +305,7 @@ def _of_body(model: Model, plates: tuple[Plate, ...], side: str) -> Iterator[str
     for plate in plates:
         solid = body(plate)
         wrong = solid - drawn if side == "inside" else solid ^ drawn
-        if wrong.volume() > 1e-3:
+        if wrong.volume() > 1e-2:
             yield f"{plate.id} lies on the wrong side of the faces with {wrong.volume():.3g} mm3"
 
 

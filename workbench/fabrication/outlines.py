@@ -46,7 +46,8 @@ def cut_outlines(walls: Sequence[Wall], pieces: Sequence[Piece]) -> list[Polygon
     """
     shared = list(pieces)
     settled: set[int] = set()
-    outlines = [_outline(i, wall, shared) for i, wall in enumerate(walls)]
+    cutter = _Cutter(walls, pieces)
+    outlines = [cutter.outline(i, shared) for i in range(len(walls))]
     for _ in range(_ROUNDS):
         changes: dict[int, int] = {}
         for i in range(len(walls)):
@@ -61,8 +62,8 @@ def cut_outlines(walls: Sequence[Wall], pieces: Sequence[Piece]) -> list[Polygon
         for n, owner in changes.items():
             shared[n] = shared[n].given_to(owner)
         for i in touched:
-            outlines[i] = _outline(i, walls[i], shared)
-    outlines = Repair(walls, shared, outlines, _outline).run()
+            outlines[i] = cutter.outline(i, shared)
+    outlines = Repair(walls, shared, outlines, cutter.outline).run()
     outlines = [_main_part(wall, outline) for wall, outline in zip(walls, outlines, strict=True)]
     for wall, outline in zip(walls, outlines, strict=True):
         if outline.is_empty or len(_parts(outline)) > 1:
@@ -74,20 +75,42 @@ def cut_outlines(walls: Sequence[Wall], pieces: Sequence[Piece]) -> list[Polygon
     return [tidy(max(shapely.get_parts(o), key=lambda part: part.area)) for o in outlines]
 
 
-def _outline(number: int, wall: Wall, pieces: Sequence[Piece]) -> Polygon:
-    holes = [
-        _bounds(piece, wall, number)
-        for piece in pieces
-        if piece.owner != number and _overlaps(piece, wall)
-    ]
-    if not holes:
-        return wall.region
-    boxes = np.array(holes)
-    quick = less_boxes(wall.region, np.round(boxes, 6) + 0.0)
-    if quick is not None:
-        return quick
-    cut = wall.region.difference(shapely.union_all(shapely.box(*boxes.T)), grid_size=GRID_MM)
-    return _without_dust(cut)
+class _Cutter:
+    """Cuts walls again and again while pieces change hands; where they lie stays.
+
+    Parameters
+    ----------
+    walls : sequence of Wall
+    pieces : sequence of Piece
+    """
+
+    def __init__(self, walls: Sequence[Wall], pieces: Sequence[Piece]) -> None:
+        self.walls = walls
+        self.near = [
+            {
+                n: _bounds(piece, wall, -1)
+                for n, piece in enumerate(pieces)
+                if _overlaps(piece, wall)
+            }
+            for wall in walls
+        ]
+
+    def outline(self, number: int, pieces: Sequence[Piece]) -> Polygon:
+        """A wall without the pieces that are not its own."""
+        wall, holes = self.walls[number], []
+        for n, bounds in self.near[number].items():
+            piece = pieces[n]
+            if piece.owner != number:
+                loose = piece.slack != NO_SLACK and piece.rivals[:1] == (number,)
+                holes.append(_bounds(piece, wall, number) if loose else bounds)
+        if not holes:
+            return wall.region
+        boxes = np.array(holes)
+        quick = less_boxes(wall.region, np.round(boxes, 6) + 0.0)
+        if quick is not None:
+            return quick
+        cut = wall.region.difference(shapely.union_all(shapely.box(*boxes.T)), grid_size=GRID_MM)
+        return _without_dust(cut)
 
 
 def _without_dust(cut: Polygon) -> Polygon:

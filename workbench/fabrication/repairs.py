@@ -19,12 +19,14 @@ import shapely
 from shapely.geometry import Polygon
 
 from ...solver.values import Array
-from .pieces import Piece
+from .pieces import NO_SLACK, Piece
 from .walls import Wall
 
-OutlineOf = Callable[[int, Wall, Sequence[Piece]], Polygon]
+OutlineOf = Callable[[int, Sequence[Piece]], Polygon]
 
 _ROUNDS = 24
+#: So many moves are tried in all; on bodies of dozens of boxes there would be no end.
+_MOST_TRIES = 2000
 #: Pieces whose boxes are no further from a trouble may change hands, mm.
 _NEAR_MM = 0.1
 #: Less than this is rounding, mm3.
@@ -41,7 +43,7 @@ class Repair:
     outlines : sequence of Polygon
         What the pieces make of the walls.
     outline : callable
-        Wall number, wall, pieces: to the wall's outline.
+        Wall number and pieces: to the wall's outline.
     """
 
     def __init__(
@@ -54,6 +56,7 @@ class Repair:
         self.walls, self.pieces, self.outline_of = walls, list(pieces), outline
         self.outlines = list(outlines)
         self.mains = [_main(outline) for outline in outlines]
+        self.left = _MOST_TRIES
 
     def run(self) -> list[Polygon]:
         """The outlines with the pieces' last owners."""
@@ -63,7 +66,7 @@ class Repair:
         return self.outlines
 
     def _outline(self, wall: int, pieces: Sequence[Piece]) -> Polygon:
-        return self.outline_of(wall, self.walls[wall], pieces)
+        return self.outline_of(wall, pieces)
 
     def _troubles(self) -> Iterator[Array]:
         """Boxes (low and high corner) that nobody fills."""
@@ -101,7 +104,8 @@ class Repair:
                 if behind[w]
             ]
             best, gain = None, _LEAST_MM3
-            for wall, some in tries:
+            for wall, some in tries[: max(0, self.left)]:
+                self.left -= 1
                 more = self._gain(wall, some)
                 if more > gain:
                     best, gain = (wall, some), more
@@ -125,7 +129,10 @@ class Repair:
         return pieces
 
     def _changed(self, wall: int, some: Sequence[int]) -> set[int]:
-        return {wall, *(w for n in some for w in (self.pieces[n].owner, *self.pieces[n].rivals))}
+        """The walls that a move may change: others are cut there before and after it."""
+        given = [self.pieces[n] for n in some]
+        loose = [w for piece in given if piece.slack != NO_SLACK for w in piece.rivals[:1]]
+        return {wall, *loose, *(piece.owner for piece in given)}
 
     def _gain(self, wall: int, some: Sequence[int]) -> float:
         """How much more space a move fills, mm3."""

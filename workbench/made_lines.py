@@ -18,6 +18,7 @@ LINES = (
     "{} degrees; fingers hold from 30 to 150 degrees",
     "{} mm clear of the corners; fingers need {} mm at least",
     "fingers would cut {} into pieces",
+    "{} meet in a point: {} mm3 stay empty there, which square cuts cannot fill",
     "begin with {}",
     "put {} on, moving along ({}, {}, {})",
     "cannot be put together: {} lock each other",

@@ -91,9 +91,9 @@ REASONS = (
     "the {} is {} {}",
     "owner {} or {}",
     "owner {}",
-    "where these {0} faces meet in {1}, material cannot lie outside of them or in their middle: "
-    "their planes, moved, meet in no point",
-    "side inside, or one thickness for all of them",
+    "the face has edges too short for material outside of it or in its middle: moved there, its "
+    "outline crosses itself",
+    "side inside, or thinner plates",
     "a smaller kerf, or wider fingers",
     "the preset {} has no layers",
     "the preset {} names unknown layers",

@@ -2214,6 +2214,10 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>Zinken würden {} zerteilen</translation>
     </message>
     <message>
+        <source>{} meet in a point: {} mm3 stay empty there, which square cuts cannot fill</source>
+        <translation>{} treffen sich in einem Punkt: {} mm³ bleiben dort leer, die gerade Schnitte nicht füllen können</translation>
+    </message>
+    <message>
         <source>begin with {}</source>
         <translation>mit {} beginnen</translation>
     </message>
@@ -2942,12 +2946,12 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>owner {}</translation>
     </message>
     <message>
-        <source>where these {0} faces meet in {1}, material cannot lie outside of them or in their middle: their planes, moved, meet in no point</source>
-        <translation>wo sich diese {0} Flächen in {1} treffen, kann kein Material außerhalb oder in ihrer Mitte liegen: ihre Ebenen treffen sich verschoben in keinem Punkt</translation>
+        <source>the face has edges too short for material outside of it or in its middle: moved there, its outline crosses itself</source>
+        <translation>die Fläche hat zu kurze Kanten für Material außerhalb oder in ihrer Mitte: dorthin verschoben schneidet ihr Umriss sich selbst</translation>
     </message>
     <message>
-        <source>side inside, or one thickness for all of them</source>
-        <translation>Seite inside oder eine Dicke für alle</translation>
+        <source>side inside, or thinner plates</source>
+        <translation>Seite inside oder dünnere Platten</translation>
     </message>
     <message>
         <source>a smaller kerf, or wider fingers</source>

@@ -2214,6 +2214,10 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>ほぞが {} を切り離してしまいます</translation>
     </message>
     <message>
+        <source>{} meet in a point: {} mm3 stay empty there, which square cuts cannot fill</source>
+        <translation>{} は一点で接しています: そこに {} mm³ の空きが残り、垂直な切断では埋められません</translation>
+    </message>
+    <message>
         <source>begin with {}</source>
         <translation>{} から始める</translation>
     </message>
@@ -2942,12 +2946,12 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>owner {}</translation>
     </message>
     <message>
-        <source>where these {0} faces meet in {1}, material cannot lie outside of them or in their middle: their planes, moved, meet in no point</source>
-        <translation>{0} 枚の面が {1} で出会う所では、外側や中央に材料を置けません。ずらした面が一点で出会いません</translation>
+        <source>the face has edges too short for material outside of it or in its middle: moved there, its outline crosses itself</source>
+        <translation>面の辺が短すぎて、材料を面の外側や中央に置けません。そこへ移すと輪郭が自分と交わります</translation>
     </message>
     <message>
-        <source>side inside, or one thickness for all of them</source>
-        <translation>side を inside にするか、厚さをそろえる</translation>
+        <source>side inside, or thinner plates</source>
+        <translation>side を inside にするか、板を薄くする</translation>
     </message>
     <message>
         <source>a smaller kerf, or wider fingers</source>

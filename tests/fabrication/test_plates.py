@@ -12,7 +12,13 @@ from fabrication.bodies import body, overlaps, union
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from incontext.workbench.fabrication import FabricationError, Plate, PlateSettings, make_plates
+from incontext.workbench.fabrication import (
+    FabricationError,
+    Plate,
+    PlateSettings,
+    joined_plates,
+    make_plates,
+)
 from incontext.workbench.fabrication.frame import find_frame
 from incontext.workbench.fabrication.walls import find_walls
 
@@ -168,8 +174,17 @@ def test_random_bodies(seed):
 def test_walls_that_touch_in_one_point_leave_what_a_square_cut_must(seed, side, void):
     """Around the point both want a column of which each has a part alone: one part stays empty."""
     model = shapes.polycube(seed)
-    plates = make_plates(model, PlateSettings(side=side))
-    check_laws(plates, spaces(model, side).volume() - void)
+    joined = joined_plates(model, PlateSettings(side=side))
+    check_laws(joined.plates, spaces(model, side).volume() - void)
+    assert sum(joined.empty_mm3.values()) == pytest.approx(void)
+    assert [note for note in joined.notes if f"{void:.1f} mm3 stay empty" in note]
+
+
+@pytest.mark.parametrize("name", ["bookshelf", "organizer_8"])
+def test_nothing_is_said_to_be_empty_where_walls_are_filled(name):
+    for play in (0.0, 0.2):
+        joined = joined_plates(shapes.TRUTHS[name].make(), PlateSettings(play_mm=play))
+        assert not joined.empty_mm3
 
 
 @settings(max_examples=15, deadline=None, derandomize=True)

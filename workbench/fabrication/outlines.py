@@ -25,8 +25,10 @@ NECK_MM = 0.05
 _ROUNDS = 12
 
 
-def cut_outlines(walls: Sequence[Wall], pieces: Sequence[Piece]) -> list[Polygon]:
-    """The outline of each wall's plate, in the coordinates of its region.
+def cut_outlines(
+    walls: Sequence[Wall], pieces: Sequence[Piece]
+) -> tuple[list[Polygon], dict[tuple[str, ...], float]]:
+    """The outline of each wall's plate, in the coordinates of its region, and what stays empty.
 
     Parameters
     ----------
@@ -36,8 +38,11 @@ def cut_outlines(walls: Sequence[Wall], pieces: Sequence[Piece]) -> list[Polygon
 
     Returns
     -------
-    list of Polygon
+    outlines : list of Polygon
         One for each wall, in one piece.
+    empty : dict of face ids to mm3
+        Where walls touch in one point only, each wants a column there of which it has a part
+        alone: a square cut leaves one part empty.
 
     Raises
     ------
@@ -63,7 +68,9 @@ def cut_outlines(walls: Sequence[Wall], pieces: Sequence[Piece]) -> list[Polygon
             shared[n] = shared[n].given_to(owner)
         for i in touched:
             outlines[i] = cutter.outline(i, shared)
-    outlines = Repair(walls, shared, outlines, cutter.outline).run()
+    repair = Repair(walls, shared, outlines, cutter.outline)
+    outlines = repair.run()
+    empty = {tuple(walls[w].face_ids[0] for w in some): v for some, v in repair.empty().items()}
     outlines = [_main_part(wall, outline) for wall, outline in zip(walls, outlines, strict=True)]
     for wall, outline in zip(walls, outlines, strict=True):
         if outline.is_empty or len(_parts(outline)) > 1:
@@ -72,7 +79,8 @@ def cut_outlines(walls: Sequence[Wall], pieces: Sequence[Piece]) -> list[Polygon
                 wall.face_ids,
                 "thinner plates, or walls further apart",
             )
-    return [tidy(max(shapely.get_parts(o), key=lambda part: part.area)) for o in outlines]
+    whole = [tidy(max(shapely.get_parts(o), key=lambda part: part.area)) for o in outlines]
+    return whole, empty
 
 
 class _Cutter:

@@ -10,8 +10,8 @@ plate frame
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from shapely.geometry import Polygon
@@ -79,15 +79,25 @@ def make_plates(model: Model, settings: PlateSettings = _DEFAULTS) -> tuple[Plat
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Joined:
-    """Plates, and the joints between them."""
+    """Plates, the joints between them, and by the faces around it what stays empty, mm3."""
 
     plates: tuple[Plate, ...]
     joints: tuple[Joint, ...]
+    empty_mm3: Mapping[tuple[str, ...], float] = field(default_factory=dict)
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """One line for each joint that is not what it usually would be."""
-        return tuple(joint.words for joint in self.joints if joint.reason)
+        """One line for each joint that is not what it usually would be, and for each void."""
+        unusual = tuple(joint.words for joint in self.joints if joint.reason)
+        return (*unusual, *(void_words(ids, size) for ids, size in self.empty_mm3.items()))
+
+
+def void_words(face_ids: Iterable[str], volume_mm3: float) -> str:
+    """One line about space that no plate can fill."""
+    return (
+        f"{', '.join(face_ids)} meet in a point: {volume_mm3:.1f} mm3 stay empty there, which "
+        "square cuts cannot fill"
+    )
 
 
 def joined_plates(model: Model, settings: PlateSettings = _DEFAULTS) -> Joined:
@@ -123,6 +133,7 @@ def joined_plates(model: Model, settings: PlateSettings = _DEFAULTS) -> Joined:
     if not faces:
         raise FabricationError("no face to make a plate of", (), "include a face")
     plan = JointPlan(settings.finger_mm, settings.play_mm, settings.joints)
+    empty: Mapping[tuple[str, ...], float] = {}
     try:
         frame = find_frame(faces)
         walls = find_walls(model, frame, settings.side)
@@ -131,14 +142,14 @@ def joined_plates(model: Model, settings: PlateSettings = _DEFAULTS) -> Joined:
     else:
         _check_apart(walls)
         pieces = share_out(walls, settings, plan, _edges(model, frame))
-        outlines = cut_outlines(walls, pieces)
+        outlines, empty = cut_outlines(walls, pieces)
         plates = tuple(
             _plate(wall, outline, frame) for wall, outline in zip(walls, outlines, strict=True)
         )
         place = frame.world_from_frame()
         plan.joints = [_in_world(joint, place) for joint in plan.joints]
     plan.check_used()
-    return Joined(plates, tuple(plan.joints))
+    return Joined(plates, tuple(plan.joints), empty)
 
 
 def _in_world(joint: Joint, place: Array) -> Joint:

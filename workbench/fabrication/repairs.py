@@ -31,6 +31,7 @@ _MOST_TRIES = 2000
 _NEAR_MM = 0.1
 #: Less than this is rounding, mm3.
 _LEAST_MM3 = 1e-3
+_EIGHTHS = np.array([(x, y, z) for x in (0.25, 0.75) for y in (0.25, 0.75) for z in (0.25, 0.75)])
 
 
 class Repair:
@@ -65,6 +66,41 @@ class Repair:
                 break
         return self.outlines
 
+    def empty(self) -> dict[tuple[int, ...], float]:
+        """What stays empty, mm3, by the walls that share it; not what nobody should have."""
+        found: dict[tuple[int, ...], float] = {}
+        for n, share in enumerate(self._unfilled().tolist()):
+            piece = self.pieces[n]
+            if piece.owner >= 0 and share > 0:
+                walls = tuple(sorted({piece.owner, *piece.rivals}))
+                size = float(np.prod(np.subtract(piece.high_mm, piece.low_mm)))
+                found[walls] = found.get(walls, 0.0) + share * size
+        for n in range(len(self.walls)):
+            for walls, size in self._beside_pieces(n):
+                found[walls] = found.get(walls, 0.0) + size
+        return found
+
+    def _beside_pieces(self, n: int) -> Iterator[tuple[tuple[int, ...], float]]:
+        """What of a wall's own space lies behind pieces that others own, and so is cut away."""
+        wall = self.walls[n]
+        u, v = wall.plane_axes
+        columns: dict[tuple[float, ...], list[Piece]] = {}
+        for piece in self.pieces:
+            low, high = piece.low_mm, piece.high_mm
+            if min(high[wall.axis], wall.high_mm) - max(low[wall.axis], wall.low_mm) > 1e-6:
+                columns.setdefault((low[u], low[v], high[u], high[v]), []).append(piece)
+        for bounds, pieces in columns.items():
+            deep = sum(
+                min(p.high_mm[wall.axis], wall.high_mm) - max(p.low_mm[wall.axis], wall.low_mm)
+                for p in pieces
+            )
+            cut = [piece for piece in pieces if piece.owner not in (n, -1)]
+            if not cut or wall.thickness_mm - deep < 1e-6:
+                continue
+            area = wall.region.intersection(shapely.box(*bounds)).area
+            if (size := area * (wall.thickness_mm - deep)) > _LEAST_MM3:
+                yield tuple(sorted({n, *(piece.owner for piece in cut)})), size
+
     def _outline(self, wall: int, pieces: Sequence[Piece]) -> Polygon:
         return self.outline_of(wall, pieces)
 
@@ -74,16 +110,24 @@ class Repair:
             for part in shapely.get_parts(self.outlines[n]):
                 if not part.equals(self.mains[n]) and part.area > _LEAST_MM3:
                     yield _box(wall, part)
-        spots = np.array([np.add(piece.low_mm, piece.high_mm) / 2 for piece in self.pieces])
+        for n in np.flatnonzero(self._unfilled()).tolist():
+            yield np.array([self.pieces[n].low_mm, self.pieces[n].high_mm])
+
+    def _unfilled(self) -> Array:
+        """What share of each piece nobody fills: seen in the middles of its eighths."""
+        if not self.pieces:
+            return np.zeros(0)
+        low = np.array([piece.low_mm for piece in self.pieces])
+        size = np.array([piece.high_mm for piece in self.pieces]) - low
+        spots = (low[:, None] + _EIGHTHS * size[:, None]).reshape(-1, 3)
         filled = np.zeros(len(spots), dtype=bool)
-        for n, wall in enumerate(self.walls if len(spots) else ()):
+        for n, wall in enumerate(self.walls):
             heights = spots[:, wall.axis]
-            within = np.flatnonzero((heights > wall.low_mm) & (heights < wall.high_mm))
+            within = np.flatnonzero((heights > wall.low_mm) & (heights < wall.high_mm) & ~filled)
             u, v = (spots[within, k] for k in wall.plane_axes)
             shapely.prepare(self.mains[n])
             filled[within] |= shapely.intersects_xy(self.mains[n], u, v)
-        for n in np.flatnonzero(~filled).tolist():
-            yield np.array([self.pieces[n].low_mm, self.pieces[n].high_mm])
+        return np.asarray(1.0 - filled.reshape(-1, 8).mean(axis=1))
 
     def _improve(self, box: Array) -> bool:
         """Make the best of the small moves near a box; False where none is good."""

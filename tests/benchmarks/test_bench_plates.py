@@ -1,9 +1,13 @@
 """The benchmark of plates measures what it says."""
 
+import io
+
+import ezdxf
 import pytest
 
 from incontext.workbench.bench.plates import (
     cut_by_booleans,
+    dxf_by_booleans,
     open_organizer,
     plates_bench,
     sheets_of_fifty,
@@ -17,9 +21,16 @@ def test_booleans_cut_the_same_plates(singly):
     plates = make_plates(model)
     wanted = sorted(plate.polygon.area * plate.thickness_mm for plate in plates)
     assert len(plates) == 7
-    assert sorted(cut_by_booleans(model, PlateSettings(), singly=singly)) == pytest.approx(
-        wanted, rel=1e-6
-    )
+    cut = cut_by_booleans(model, PlateSettings(), singly=singly)
+    assert sorted(plate.Volume() for plate in cut) == pytest.approx(wanted, rel=1e-6)
+
+
+def test_booleans_draw_the_same_outlines():
+    model = open_organizer(2)
+    text = dxf_by_booleans(model, PlateSettings()).decode()
+    lines = ezdxf.read(io.StringIO(text)).modelspace().query("LINE")
+    length = sum((line.dxf.end - line.dxf.start).magnitude for line in lines)
+    assert length == pytest.approx(sum(p.polygon.length for p in make_plates(model)), rel=1e-6)
 
 
 def test_the_table():

@@ -20,7 +20,7 @@ from shapely.geometry import Polygon
 
 from ...solver.values import Array
 from .errors import FabricationError
-from .plates import Plate
+from .plates import Plate, from_least
 from .relief import relieved
 
 #: How far a mitre may reach, in half kerfs; sharper corners are cut off.
@@ -96,16 +96,20 @@ def _path(plate_id: str, ring: Array, kerf: float, *, hole: bool) -> Array:
             "a smaller kerf, or wider fingers",
         )
     points = np.round(_without_short(moved), 6) + 0.0
-    first = min(range(len(points)), key=lambda n: (points[n, 0], points[n, 1]))
-    return np.asarray(np.roll(points, -first, axis=0))
+    return from_least(points)
+
+
+def _after(ring: Array) -> Array:
+    """For each corner the next one."""
+    return np.concatenate((ring[1:], ring[:1]))
 
 
 def _mitred(ring: Array, distance: float) -> Array | None:
     """The ring moved to its right, corner by corner; None where a side would vanish."""
-    ahead = np.roll(ring, -1, axis=0) - ring
+    ahead = _after(ring) - ring
     ways = ahead / np.hypot(ahead[:, 0], ahead[:, 1])[:, None]
     normals = np.column_stack([ways[:, 1], -ways[:, 0]])
-    before, ways_before = np.roll(normals, 1, axis=0), np.roll(ways, 1, axis=0)
+    before, ways_before = (np.concatenate((a[-1:], a[:-1])) for a in (normals, ways))
     # cos2 is the squared cosine of half the turn; the mitre is 1 / cos of the distance long.
     cos2 = (1 + (normals * before).sum(axis=1)) / 2
     turn = ways_before[:, 0] * ways[:, 1] - ways_before[:, 1] * ways[:, 0]
@@ -114,7 +118,7 @@ def _mitred(ring: Array, distance: float) -> Array | None:
         return None
     if blunt.all():
         moved = ring + distance * (normals + before) / (2 * cos2)[:, None]
-        keeps = ((np.roll(moved, -1, axis=0) - moved) * ways).sum(axis=1) > 0
+        keeps = ((_after(moved) - moved) * ways).sum(axis=1) > 0
         return moved if keeps.all() and shapely.LinearRing(moved).is_simple else None
     # Where the mitre would be too long, it is cut off square to its own direction.
     reach = MITRE_LIMIT * distance
@@ -135,7 +139,7 @@ def _keeps(moved: Array, ring: Array, blunt: NDArray[np.bool_]) -> bool:
     """Whether all sides of a ring go the same way after it was moved."""
     last = np.cumsum(np.where(blunt, 1, 2)) - 1
     first = np.where(blunt, last, last - 1)
-    ahead = np.roll(ring, -1, axis=0) - ring
+    ahead = _after(ring) - ring
     return bool(((moved[np.roll(first, -1)] - moved[last]) * ahead).sum(axis=1).min() > 0)
 
 
@@ -165,7 +169,7 @@ def _without_short(ring: Array) -> Array:
     """
     points = ring
     for _ in range(len(ring)):
-        ahead = np.roll(points, -1, axis=0) - points
+        ahead = _after(points) - points
         lengths = np.hypot(ahead[:, 0], ahead[:, 1])
         n = int(lengths.argmin())
         if lengths[n] >= LEAST_SEGMENT_MM or len(points) < 4:

@@ -48,9 +48,9 @@ class Frame:
 
 def newell(points: Array) -> Array:
     """Area vector of a closed loop: its direction is the normal, its length the area (Newell)."""
-    x, y, z = (points - points[0]).T
-    u, v, w = np.roll(x, -1), np.roll(y, -1), np.roll(z, -1)
-    # Three dot products: numpy's cross takes several times as long for so few points.
+    spans = points - points[0]
+    # Three dot products, and no roll: numpy's cross and roll take several times as long.
+    (x, y, z), (u, v, w) = spans.T, np.concatenate((spans[1:], spans[:1])).T
     return 0.5 * np.array([y @ w - z @ v, z @ u - x @ w, x @ v - y @ u])
 
 

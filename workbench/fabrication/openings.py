@@ -11,7 +11,7 @@ cap
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -53,24 +53,28 @@ def free_edges(faces: Sequence[Loops], tolerance: float) -> list[tuple[Array, Ar
     _, first = np.unique(np.round(corners / tolerance / 10), axis=0, return_index=True)
     corners = corners[np.sort(first)]
     uses: Counter[tuple[int, int]] = Counter()
-    for face in faces:
-        for loop in face:
-            for a, b in zip(loop, np.roll(loop, -1, axis=0), strict=True):
-                uses.update(pieces(a, b, corners, tolerance))
+    loops = [loop for face in faces for loop in face]
+    starts = np.vstack(loops)
+    ends = np.vstack([np.concatenate((loop[1:], loop[:1])) for loop in loops])
+    for numbers in _corners_on(starts, ends, corners, 20 * tolerance):
+        uses.update((min(p, q), max(p, q)) for p, q in pairwise(numbers))
     return [(corners[p], corners[q]) for (p, q), count in uses.items() if count == 1]
 
 
-def pieces(a: Array, b: Array, corners: Array, tolerance: float) -> list[tuple[int, int]]:
-    """The stretches of an edge between the corners that lie on it, as pairs of their numbers."""
-    length = float(np.linalg.norm(b - a))
-    way = (b - a) / length
-    along = (corners - a) @ way
-    off = np.linalg.norm(corners - a - np.outer(along, way), axis=1)
-    on = np.flatnonzero(
-        (off < 20 * tolerance) & (along > -20 * tolerance) & (along < length + 20 * tolerance)
-    )
-    on = on[np.argsort(along[on], kind="stable")]
-    return [(min(p, q), max(p, q)) for p, q in pairwise(on.tolist())]
+def _corners_on(
+    starts: Array, ends: Array, corners: Array, tolerance: float
+) -> Iterator[list[int]]:
+    """For each edge the numbers of the corners that lie on it, from its start to its end."""
+    spans = ends - starts
+    lengths = np.linalg.norm(spans, axis=1)
+    ways = spans / lengths[:, None]
+    away = corners[None] - starts[:, None]
+    along = np.einsum("ecx,ex->ec", away, ways)
+    off = np.linalg.norm(away - along[..., None] * ways[:, None], axis=2)
+    on = (off < tolerance) & (along > -tolerance) & (along < lengths[:, None] + tolerance)
+    for row, places in zip(on, along, strict=True):
+        numbers = np.flatnonzero(row)
+        yield numbers[np.argsort(places[numbers], kind="stable")].tolist()
 
 
 def _loops_in_plane(

@@ -251,8 +251,12 @@ def _in_frame(ring: Array, wall: Wall) -> Array:
 
 def _wound(ring: Array, *, ccw: bool) -> Array:
     """The ring in the wanted sense, beginning at its least point."""
-    x, y = ring.T
-    area = float(x @ np.roll(y, -1) - np.roll(x, -1) @ y)
-    turned = ring if (area > 0) == ccw else ring[::-1]
-    first = min(range(len(turned)), key=lambda n: (turned[n, 0], turned[n, 1]))
-    return np.roll(turned, -first, axis=0)
+    (x, y), (u, v) = ring.T, np.concatenate((ring[1:], ring[:1])).T
+    turned = ring if (float(x @ v - u @ y) > 0) == ccw else ring[::-1]
+    return from_least(turned)
+
+
+def from_least(ring: Array) -> Array:
+    """The same ring, beginning at its least point."""
+    first = int(np.lexsort((ring[:, 1], ring[:, 0]))[0])
+    return np.concatenate((ring[first:], ring[:first]))

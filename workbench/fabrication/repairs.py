@@ -75,31 +75,33 @@ class Repair:
                 walls = tuple(sorted({piece.owner, *piece.rivals}))
                 size = float(np.prod(np.subtract(piece.high_mm, piece.low_mm)))
                 found[walls] = found.get(walls, 0.0) + share * size
-        for n in range(len(self.walls)):
-            for walls, size in self._beside_pieces(n):
-                found[walls] = found.get(walls, 0.0) + size
+        for walls, size in self._beside_pieces():
+            found[walls] = found.get(walls, 0.0) + size
         return found
 
-    def _beside_pieces(self, n: int) -> Iterator[tuple[tuple[int, ...], float]]:
-        """What of a wall's own space lies behind pieces that others own, and so is cut away."""
-        wall = self.walls[n]
-        u, v = wall.plane_axes
-        columns: dict[tuple[float, ...], list[Piece]] = {}
-        for piece in self.pieces:
-            low, high = piece.low_mm, piece.high_mm
-            if min(high[wall.axis], wall.high_mm) - max(low[wall.axis], wall.low_mm) > 1e-6:
-                columns.setdefault((low[u], low[v], high[u], high[v]), []).append(piece)
-        for bounds, pieces in columns.items():
-            deep = sum(
-                min(p.high_mm[wall.axis], wall.high_mm) - max(p.low_mm[wall.axis], wall.low_mm)
-                for p in pieces
-            )
-            cut = [piece for piece in pieces if piece.owner not in (n, -1)]
-            if not cut or wall.thickness_mm - deep < 1e-6:
-                continue
-            area = wall.region.intersection(shapely.box(*bounds)).area
-            if (size := area * (wall.thickness_mm - deep)) > _LEAST_MM3:
-                yield tuple(sorted({n, *(piece.owner for piece in cut)})), size
+    def _beside_pieces(self) -> Iterator[tuple[tuple[int, ...], float]]:
+        """What of walls' own space lies behind pieces that others own, and so is cut away."""
+        low = np.array([piece.low_mm for piece in self.pieces]).reshape(-1, 3)
+        high = np.array([piece.high_mm for piece in self.pieces]).reshape(-1, 3)
+        owners = np.array([piece.owner for piece in self.pieces])
+        for n, wall in enumerate(self.walls):
+            deep = np.minimum(high[:, wall.axis], wall.high_mm)
+            deep = deep - np.maximum(low[:, wall.axis], wall.low_mm)
+            cut = (deep > 1e-6) & (deep < wall.thickness_mm - 1e-6) & (owners != n) & (owners >= 0)
+            u, v = wall.plane_axes
+            seen: set[tuple[float, ...]] = set()
+            for k in np.flatnonzero(cut).tolist():
+                bounds = (low[k, u], low[k, v], high[k, u], high[k, v])
+                if bounds in seen:
+                    continue
+                seen.add(bounds)
+                column = np.array([low[k], high[k]])
+                column[:, wall.axis] = wall.low_mm, wall.high_mm
+                shared = np.minimum(high, column[1]) - np.maximum(low, column[0])
+                area = wall.region.intersection(shapely.box(*bounds)).area
+                rest = area * wall.thickness_mm - np.prod(np.clip(shared, 0.0, None), axis=1).sum()
+                if rest > _LEAST_MM3:
+                    yield tuple(sorted({n, int(owners[k])})), float(rest)
 
     def _outline(self, wall: int, pieces: Sequence[Piece]) -> Polygon:
         return self.outline_of(wall, pieces)

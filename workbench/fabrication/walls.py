@@ -209,12 +209,13 @@ def _rings(polygon: Polygon) -> list[shapely.LinearRing]:
 
 def _straightened(ring: Array) -> Array:
     # Of two points in one place neither would have a turn.
-    apart = np.abs(ring - np.roll(ring, 1, axis=0)).max(axis=1) > _ONE_PLACE_MM
+    apart = np.abs(ring - np.concatenate((ring[-1:], ring[:-1]))).max(axis=1) > _ONE_PLACE_MM
     ring = ring[apart]
-    before = ring - np.roll(ring, 1, axis=0)
-    after = np.roll(ring, -1, axis=0) - ring
+    before = ring - np.concatenate((ring[-1:], ring[:-1]))
+    after = np.concatenate((before[1:], before[:1]))
     turn = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
-    scale = np.linalg.norm(before, axis=1) + np.linalg.norm(after, axis=1)
+    lengths = np.hypot(before[:, 0], before[:, 1])
+    scale = lengths + np.concatenate((lengths[1:], lengths[:1]))
     kept: Array = ring[np.abs(turn) > 1e-7 * scale]
     return kept
 

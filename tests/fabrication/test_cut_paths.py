@@ -67,3 +67,39 @@ def test_a_notch_narrower_than_the_kerf_is_named():
     plate = Plate("p2", ("p2",), 3.0, np.array(outline, dtype=float), (), np.eye(4))
     with pytest.raises(FabricationError, match="narrower than the kerf"):
         cut_path(plate, 0.3)
+
+
+def wedge(degrees: float) -> Plate:
+    """A triangle with one sharp corner."""
+    outline = np.array([(0, 0), (100, 0), (0, 100 * np.tan(np.radians(degrees)))], dtype=float)
+    return Plate("w", ("w",), 3.0, outline, (), np.eye(4))
+
+
+@pytest.mark.parametrize("kerf", [0.05, 0.2, 1.0])
+@pytest.mark.parametrize("degrees", [4.0, 12.0, 22.0, 40.0])
+def test_sharp_corners_are_left_whole(degrees, kerf):
+    """Where the mitre is too long it is cut off, and no side leans into the part by that."""
+    plate = wedge(degrees)
+    path = cut_path(plate, kerf)
+    beam = shapely.LinearRing(path.outer).buffer(kerf / 2 - 1e-6, quad_segs=32)
+    assert beam.intersection(plate.polygon).area < 1e-9
+    steps = np.linalg.norm(np.roll(path.outer, -1, axis=0) - path.outer, axis=1)
+    assert steps.min() >= 0.05
+    assert shapely.Polygon(path.outer).hausdorff_distance(plate.polygon) < max(8 * kerf, 1.0)
+
+
+def test_short_steps_leave_no_short_sides_and_take_nothing_away():
+    outline = [(0, 0), (40, 0), (40, 20), (20, 20), (20, 20.03), (0, 20.03)]
+    plate = Plate("s", ("s",), 3.0, np.array(outline, dtype=float), (), np.eye(4))
+    for kerf in (0.0, 0.2):
+        path = cut_path(plate, kerf)
+        part = shapely.Polygon(path.outer).buffer(1e-9 - kerf / 2, join_style="mitre")
+        assert part.covers(plate.polygon.buffer(-1e-6, join_style="mitre"))
+        assert np.linalg.norm(np.diff(path.outer, axis=0), axis=1).min() >= 0.05
+
+
+def test_a_wide_notch_with_a_sharp_end_is_cut_as_far_as_the_beam_gets():
+    outline = [(0, 0), (60, 0), (60, 30), (40, 30), (30, 5), (26, 30), (0, 30)]
+    plate = Plate("n", ("n",), 3.0, np.array(outline, dtype=float), (), np.eye(4))
+    path = cut_path(plate, 0.3)
+    assert len(path.outer) == len(outline)

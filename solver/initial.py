@@ -63,11 +63,11 @@ def views(problem: Problem) -> Iterator[Start]:
     if not problem.structure.has_axes:
         yield from starts(problem)
         return
-    drawn, pencils = _lines_and_pencils(problem)
-    exact = _exact_start(problem, drawn, pencils)
+    lines = _lines_of(problem)
+    exact = _exact_start(problem, lines)
     if exact is not None:
         yield exact
-    yield from _upright_ones(problem, _from_lines(problem, drawn, pencils))
+    yield from _upright_ones(problem, _from_lines(problem, lines))
 
 
 def starts(problem: Problem) -> list[Start]:
@@ -76,16 +76,26 @@ def starts(problem: Problem) -> list[Start]:
     Where the camera is known, they agree with its upward direction as well.
     """
     if problem.structure.has_axes:
-        return _upright_ones(problem, _from_lines(problem, *_lines_and_pencils(problem)))
+        return _upright_ones(problem, _from_lines(problem, _lines_of(problem)))
     fixed = problem.log_focal_prior
     tilted = tilted_views(problem.circles) if len(problem.circles) else [np.eye(3)]
     focals = FOCAL_GUESSES if fixed is None else (fixed,)
     return _upright_ones(problem, [Start(R, f, 0.0) for R in tilted for f in focals])
 
 
-def _lines_and_pencils(problem: Problem) -> tuple[DrawnLines, Pencils]:
+@dataclass(frozen=True, slots=True, eq=False)
+class _Lines:
+    """What is drawn along the axes, and the camera that its vanishing points tell, if they do."""
+
+    drawn: DrawnLines
+    pencils: Pencils
+    told: Start | None
+
+
+def _lines_of(problem: Problem) -> _Lines:
     drawn, fixed = drawn_lines(problem), problem.log_focal_prior
-    return drawn, gathered(drawn, drawn.lengths(), USUAL_LOG_FOCAL if fixed is None else fixed)
+    pencils = gathered(drawn, drawn.lengths(), USUAL_LOG_FOCAL if fixed is None else fixed)
+    return _Lines(drawn, pencils, _from_vanishing_points(pencils, fixed))
 
 
 def _upright_ones(problem: Problem, found: list[Start]) -> list[Start]:
@@ -95,19 +105,13 @@ def _upright_ones(problem: Problem, found: list[Start]) -> list[Start]:
     return _distinct([replace(s, R=_upright(s.R, vertical, up)) for s in found])
 
 
-def _exact_start(problem: Problem, drawn: DrawnLines, pencils: Pencils) -> Start | None:
+def _exact_start(problem: Problem, lines: _Lines) -> Start | None:
     """The camera that the vanishing points tell, where it meets all lines to the last digits."""
-    enough = len(drawn) >= max(ENOUGH_LINES, len(pencils.directions) + 3)
-    if not enough or problem.camera is not None:
+    pencils, told = lines.pencils, lines.told
+    enough = len(lines.drawn) >= max(ENOUGH_LINES, len(pencils.directions) + 3)
+    if told is None or not enough or problem.camera is not None:
         return None
-    told = _from_vanishing_points(pencils, problem.log_focal_prior)
-    if not told:
-        return None
-    R, log_focal = told[0]
-    misfit = float(Agreement(pencils).costs(R[None], log_focal)[0])
-    if misfit > EXACT_MISFIT**2 * pencils.total:
-        return None
-    return Start(R, log_focal, misfit)
+    return None if told.misfit > EXACT_MISFIT**2 * pencils.total else told
 
 
 def _upright(R: Array, vertical: int, up: Array) -> Array:
@@ -123,23 +127,28 @@ def _upright(R: Array, vertical: int, up: Array) -> Array:
     return np.asarray(Rotation.from_rotvec(axis * (angle / max(sine, 1e-300))).as_matrix() @ R)
 
 
-def _from_lines(problem: Problem, drawn: DrawnLines, pencils: Pencils) -> list[Start]:
-    fixed = problem.log_focal_prior
+def _from_lines(problem: Problem, lines: _Lines) -> list[Start]:
+    drawn, pencils, told, fixed = lines.drawn, lines.pencils, lines.told, problem.log_focal_prior
     if fixed is None and len(pencils.directions) < 3:
         # Two directions tell little of the focal length: the full step finds it, from several.
-        told = _from_vanishing_points(pencils, None)
-        likely = [f for _, f in told if _likely(f)]
+        likely = [told.log_focal] if told is not None and _likely(told.log_focal) else []
         at_each = _views_at(pencils, (*likely, *FOCAL_GUESSES))
         return [start for pair in zip(*at_each, strict=False) for start in pair]
-    candidates = _from_vanishing_points(pencils, fixed) + _from_mean_directions(problem)
-    found = _refine_all(pencils, candidates, fixed)
-    if not found or found[0].misfit > GOOD_MISFIT**2 * pencils.total:
-        candidates += _grid(pencils, fixed)
+    candidates = [] if told is None else [(told.R, told.log_focal)]
+    candidates += _from_mean_directions(problem)
+    good = GOOD_MISFIT**2 * pencils.total
+    if told is not None and told.misfit <= good and len(drawn) > MANY_LINES:
+        # Good enough to weigh the lines by.
+        found = [told]
+    else:
         found = _refine_all(pencils, candidates, fixed)
+        if not found or found[0].misfit > good:
+            candidates += _grid(pencils, fixed)
+            found = _refine_all(pencils, candidates, fixed)
+        candidates = [(start.R, start.log_focal) for start in found]
     if len(drawn) > MANY_LINES and found[0].misfit > EXACT_MISFIT**2 * pencils.total:
         fair = drawn.fair_weights(found[0].R, found[0].log_focal)
         pencils = gathered(drawn, fair, found[0].log_focal)
-        candidates = [(start.R, start.log_focal) for start in found]
         found = _refine_all(pencils, candidates, fixed)
     if fixed is None and not _likely(found[0].log_focal):
         # Careless lines say "from afar" too easily: begin from usual focal lengths as well.
@@ -171,11 +180,15 @@ def _refine_all(
 
 def _distinct(found: list[Start]) -> list[Start]:
     """Best first, each view once."""
-    kept: list[Start] = []
-    for start in sorted(found, key=lambda s: s.misfit):
-        if not any(_same_view(start, other) for other in kept):
-            kept.append(start)
-    return kept
+    found = sorted(found, key=lambda s: s.misfit)
+    if len(found) < 2:
+        return found
+    alike = _same_views(np.array([s.R for s in found]), np.array([s.log_focal for s in found]))
+    kept: list[int] = []
+    for k in range(len(found)):
+        if not alike[k, kept].any():
+            kept.append(k)
+    return [found[k] for k in kept]
 
 
 def _refine(
@@ -219,10 +232,11 @@ def _refine(
     return [Start(*found) for found in zip(R, log_focals.tolist(), cost.tolist(), strict=True)]
 
 
-def _same_view(a: Start, b: Start) -> bool:
-    """Equal up to the axes' signs, which drawn lines cannot tell."""
-    alignment = np.abs(np.einsum("ij,ij->j", a.R, b.R))
-    return bool((alignment > 0.9999).all() and abs(a.log_focal - b.log_focal) < 1e-2)
+def _same_views(R: Array, log_focals: Array) -> BoolArray:
+    """Which of k views are equal up to the axes' signs, which drawn lines cannot tell, (k, k)."""
+    alignment = np.abs(np.einsum("aij,bij->abj", R, R)).min(axis=2)
+    near = np.abs(log_focals[:, None] - log_focals) < 1e-2
+    return np.asarray((alignment > 0.9999) & near)
 
 
 def _from_mean_directions(problem: Problem) -> list[tuple[Array, float]]:
@@ -248,14 +262,13 @@ def _from_mean_directions(problem: Problem) -> list[tuple[Array, float]]:
     t = np.sqrt(np.array([c12 * c13 / -c23, c12 * c23 / -c13, c13 * c23 / -c12]))
     log_focal = problem.log_focal_prior
     guesses = [USUAL_LOG_FOCAL, float(np.log(4.0))] if log_focal is None else [log_focal]
-    found = []
-    for sign in (1.0, -1.0):
-        D = np.column_stack([np.append(d, sign * x) for d, x in zip((d1, d2, d3), t, strict=True)])
-        found += [(_nearest_rotation(D / np.linalg.norm(D, axis=0)), g) for g in guesses]
-    return found
+    level = np.array([d1, d2, d3]).T
+    D = np.array([np.vstack([level, sign * t]) for sign in (1.0, -1.0)])
+    both = _nearest_rotations(D / np.linalg.norm(D, axis=1, keepdims=True))
+    return [(R, guess) for R in both for guess in guesses]
 
 
-def _from_vanishing_points(pencils: Pencils, fixed: float | None) -> list[tuple[Array, float]]:
+def _from_vanishing_points(pencils: Pencils, fixed: float | None) -> Start | None:
     """Axes towards the vanishing points, which tell the focal length by being perpendicular.
 
     With q = (f0 / f)^2, f0 the pencils' focal length, q (x_i x_j + y_i y_j) + z_i z_j = 0 for each
@@ -263,7 +276,7 @@ def _from_vanishing_points(pencils: Pencils, fixed: float | None) -> list[tuple[
     """
     D = pencils.directions
     if not pencils.sure or len(D) < 2:
-        return []
+        return None
     pairs = [(i, j) for j in range(len(D)) for i in range(j)]
     level = np.array([D[i, :2] @ D[j, :2] for i, j in pairs])
     deep = np.array([D[i, 2] * D[j, 2] for i, j in pairs])
@@ -271,25 +284,26 @@ def _from_vanishing_points(pencils: Pencils, fixed: float | None) -> list[tuple[
     if fixed is None:
         q = -float(level @ deep) / max(float(level @ level), 1e-300)
         if not q > 0:
-            return []
+            return None
     log_focal = pencils.log_focal - float(np.log(q)) / 2
     if not LOG_FOCAL_RANGE[0] < log_focal < LOG_FOCAL_RANGE[1]:
-        return []
+        return None
     axes = np.zeros((3, 3))
     axes[:, pencils.axes[::3]] = (D * np.array([np.sqrt(q), np.sqrt(q), 1.0])).T
     if len(D) == 2:
         missing = 3 - int(pencils.axes[0]) - int(pencils.axes[3])
         axes[:, missing] = cross(axes[:, (missing + 1) % 3], axes[:, (missing + 2) % 3])
     axes /= np.maximum(np.sqrt((axes**2).sum(axis=0)), 1e-300)
-    return [(_nearest_rotation(axes), log_focal)]
+    R = _nearest_rotations(axes[None])[0]
+    return Start(R, log_focal, float(Agreement(pencils).costs(R[None], log_focal)[0]))
 
 
-def _nearest_rotation(D: Array) -> Array:
+def _nearest_rotations(D: Array) -> Array:
+    """The nearest rotation of each matrix (k, 3, 3)."""
     U, _, Vt = np.linalg.svd(D)
-    R: Array = U @ Vt
-    if np.linalg.det(R) < 0:
-        # An axis' sign is free: turn the third round.
-        R = R @ np.diag([1.0, 1.0, -1.0])
+    R = np.asarray(U @ Vt)
+    # An axis' sign is free: turn the third round.
+    R[np.linalg.det(R) < 0, :, 2] *= -1.0
     return R
 
 

@@ -200,7 +200,7 @@ def _refine(
     R = np.array([view for view, _ in candidates])
     log_focals = np.array([f for _, f in candidates])
     drawn = Agreement(pencils)
-    identity, (low, high) = np.eye(4), LOG_FOCAL_RANGE
+    low, high = LOG_FOCAL_RANGE
     damping = np.full(len(R), 1e-3)
     r, J = drawn.linearised(R, log_focals)
     cost = np.einsum("km,km->k", r, r)
@@ -209,8 +209,8 @@ def _refine(
             J[..., 3] = 0.0
         turned = np.swapaxes(J, 1, 2)
         A = turned @ J
-        diagonal = np.einsum("kii->ki", A)
-        A = A + (damping[:, None] * (diagonal + 1e-9))[..., None] * identity
+        diagonal = A.reshape(-1, 16)[:, ::5]
+        diagonal += damping[:, None] * (diagonal + 1e-9)
         A[:, 3, 3] += float(focal_known)
         step = -np.linalg.solve(A, turned @ r[..., None])[..., 0]
         new_R = R @ turns(step[:, :3])
@@ -220,12 +220,16 @@ def _refine(
         new_cost = np.einsum("km,km->k", new_r, new_r)
         better = new_cost <= cost
         settled = ~better | (cost - new_cost <= SETTLED * cost + 1e-30)
-        settled &= better | (damping > 1.0)
-        R = np.where(better[:, None, None], new_R, R)
-        log_focals = np.where(better, new_log, log_focals)
-        r, J = np.where(better[:, None], new_r, r), np.where(better[:, None, None], new_J, J)
-        cost = np.where(better, new_cost, cost)
-        damping = np.where(better, np.maximum(damping / 10, 1e-12), damping * 10)
+        if better.all():
+            R, log_focals, r, J, cost = new_R, new_log, new_r, new_J, new_cost
+            damping = np.maximum(damping / 10, 1e-12)
+        else:
+            settled &= better | (damping > 1.0)
+            R = np.where(better[:, None, None], new_R, R)
+            log_focals = np.where(better, new_log, log_focals)
+            r, J = np.where(better[:, None], new_r, r), np.where(better[:, None, None], new_J, J)
+            cost = np.where(better, new_cost, cost)
+            damping = np.where(better, np.maximum(damping / 10, 1e-12), damping * 10)
         # The full step goes on from here: enough when the best view stands still.
         if bool(settled.all()) or (iteration >= 3 and bool(settled[int(cost.argmin())])):
             break

@@ -261,7 +261,10 @@ def _best(
         if tried and (_is_exact(tried[-1]) or (stop is not None and stop())):
             break
     finished: list[Lifted] = []
-    for t in _promising(graph, tried):
+    promising = _promising(graph, tried)
+    if len(promising) == 1 and _goes_on(promising[0]):
+        return promising[0]
+    for t in promising:
         least = min((f.minimum.cost for f in finished), default=np.inf)
         settled = t.minimum.converged and t.minimum.cost > SETTLED * least
         pursuit = _Pursuit(carry_on, enough, MAX_ITERATIONS, least)
@@ -270,6 +273,13 @@ def _best(
         least = min(f.minimum.cost for f in finished)
         finished.append(seen(_Pursuit(carry_on, enough, MAX_ITERATIONS, least).of(begin(pose))))
     return _preferred(graph, finished)[0] if finished else None
+
+
+def _goes_on(only: Lifted) -> bool:
+    """Whether the only reading is weighed against the usual focal length next, and ends there."""
+    full, minimum = only.full, only.minimum
+    weighed = full.prior is None and full.problem.log_focal_prior is None
+    return weighed and minimum.converged and minimum.cost > EXACT_COST and not full.constrained
 
 
 def _with_floats(problem: Problem, pose: Pose, stop: Stop | None) -> list[Pose]:

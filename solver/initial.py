@@ -30,6 +30,8 @@ from .values import Array, BoolArray
 LOG_FOCAL_RANGE = (float(np.log(0.4)), float(np.log(40.0)))
 #: Where the formula's view fits the lines to this angle (rad, RMS), no further views are tried.
 GOOD_MISFIT = 0.02
+#: Where the formula's view fits them to this, it is good enough to weigh each of many lines by.
+FAIR_MISFIT = 0.04
 #: From so many lines on it pays to weigh each by how well its ends can be drawn.
 MANY_LINES = 30
 #: Iterations on the lines alone; the full step goes on from there.
@@ -136,9 +138,8 @@ def _from_lines(problem: Problem, lines: _Lines) -> list[Start]:
         return [start for pair in zip(*at_each, strict=False) for start in pair]
     candidates = [] if told is None else [(told.R, told.log_focal)]
     candidates += _from_mean_directions(problem)
-    good = GOOD_MISFIT**2 * pencils.total
-    if told is not None and told.misfit <= good and len(drawn) > MANY_LINES:
-        # Good enough to weigh the lines by.
+    good, fair = (limit**2 * pencils.total for limit in (GOOD_MISFIT, FAIR_MISFIT))
+    if told is not None and told.misfit <= fair and len(drawn) > MANY_LINES:
         found = [told]
     else:
         found = _refine_all(pencils, candidates, fixed)
@@ -147,8 +148,8 @@ def _from_lines(problem: Problem, lines: _Lines) -> list[Start]:
             found = _refine_all(pencils, candidates, fixed)
         candidates = [(start.R, start.log_focal) for start in found]
     if len(drawn) > MANY_LINES and found[0].misfit > EXACT_MISFIT**2 * pencils.total:
-        fair = drawn.fair_weights(found[0].R, found[0].log_focal)
-        pencils = gathered(drawn, fair, found[0].log_focal)
+        weights = drawn.fair_weights(found[0].R, found[0].log_focal)
+        pencils = gathered(drawn, weights, found[0].log_focal)
         found = _refine_all(pencils, candidates, fixed)
     if fixed is None and not _likely(found[0].log_focal):
         # Careless lines say "from afar" too easily: begin from usual focal lengths as well.

@@ -50,7 +50,7 @@ MAX_ITERATIONS = 100
 REACH = 0.25
 #: Views whose lines fit so many times worse than those of one that was finished are not tried
 #: (measured: what won never fitted 2.5 times worse).
-RIVAL = 4.0
+RIVAL = 3.0
 #: A log focal length less certain than this counts as not determined by the sketch.
 UNSURE_FOCAL_SIGMA = 0.3
 #: So near to a reading that was found, in parts of the size, all ways lead to it.

@@ -213,7 +213,7 @@ def _refine(
         diagonal = A.reshape(-1, 16)[:, ::5]
         diagonal += damping[:, None] * (diagonal + 1e-9)
         A[:, 3, 3] += float(focal_known)
-        step: Array = -np.linalg.solve(A, turned @ r[..., None])[..., 0]
+        step = np.asarray(-np.linalg.solve(A, turned @ r[..., None])[..., 0], dtype=np.float64)
         new_R = R @ turns(step[:, :3])
         change = np.minimum(np.maximum(step[:, 3], -0.7), 0.7)
         new_log = np.minimum(np.maximum(log_focals + change, low), high)

@@ -99,6 +99,8 @@ class Blame:
         Whether it is sizes that hold though the drawing shows others.
     sure : bool
         False where no shape was found yet that all annotations hold for, though there may be one.
+    information : float
+        Of the reading without the first (`Reading.information`).
     """
 
     ids: tuple[str, ...]
@@ -106,6 +108,7 @@ class Blame:
     held: bool
     sure: bool = True
     wished: bool = False
+    information: float = math.inf
 
 
 def reading_of(graph: SketchGraph, lifted: Candidate) -> Reading:
@@ -230,8 +233,18 @@ def _blame(
     )
     wish = isinstance(graph.annotations[ids[0]], Length | Diameter)
     if whole.converged and (wish or whole.rms < GROSS_RMS):
-        return Blame(ids, f"Solved, but {_or(ids)} contradicts the drawing: {missed}.", True)
-    return Blame(ids, f"{_or(ids)} contradicts the rest: {missed}. Solved without {ids[0]}.", False)
+        return Blame(
+            ids,
+            f"Solved, but {_or(ids)} contradicts the drawing: {missed}.",
+            True,
+            information=best.information,
+        )
+    return Blame(
+        ids,
+        f"{_or(ids)} contradicts the rest: {missed}. Solved without {ids[0]}.",
+        False,
+        information=best.information,
+    )
 
 
 def suspicion(graph: SketchGraph, lifted: Candidate, stop: Stop) -> Blame | None:

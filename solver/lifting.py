@@ -101,7 +101,7 @@ def lift(
     """
     problem = build_problem(graph, structure)
     known = problem.log_focal_prior
-    best = _best(graph, problem, _told(problem), stop, wary=wary)
+    best = _best(graph, problem, told_focal(problem), stop, wary=wary)
     if known is not None or (best is not None and best.doubtful):
         return best
     if best is None or is_unsure_of_focal(best.full, best.minimum.x):
@@ -125,7 +125,7 @@ def lift_near(
     pose = pose_from(start, graph, problem)
     if pose is None:
         return None
-    full = FullProblem(problem, _told(problem))
+    full = FullProblem(problem, told_focal(problem))
     enough = NEXT_ENOUGH if problem.log_focal_prior is None else ENOUGH
     minimum = minimise(full, pose, max_iterations=MAX_ITERATIONS, enough=enough, stop=stop)
     above = camera_above_ground(graph, problem, minimum.x)
@@ -138,7 +138,7 @@ def lift_near(
     return replace(_as_expected(graph, near, USUAL if unsure else None, stop), focal_assumed=unsure)
 
 
-def _told(problem: Problem) -> FocalPrior | None:
+def told_focal(problem: Problem) -> FocalPrior | None:
     """The focal length that the photo's file tells; a known camera's is no unknown."""
     known = problem.log_focal_prior
     if known is None or problem.camera is not None:

@@ -54,6 +54,7 @@ from .effort import Effort
 from .errors import SketchError
 from .faces import awaited_faces
 from .graph import SketchGraph
+from .leaning import as_leaning, leaning_reading
 from .lifting import UNSURE_FOCAL_SIGMA, Lifted, lift, lift_near
 from .necker import fits_as_well, twin_of
 from .on_found_faces import solve_on_found_faces
@@ -250,8 +251,11 @@ def _lift_or_blame(
 ) -> tuple[Lifted | None, Blame | None]:
     """The shape, or where an annotation contradicts the drawing grossly the shape without it."""
     lifted = lift_as_guessed(core, structure, effort) or lift(core, structure, effort, wary=True)
-    if lifted is None or effort.stopped or _is_fine(core, lifted):
+    if lifted is None or effort.stopped:
         return lifted, None
+    leaning = as_leaning(core, lifted, effort)
+    if effort.stopped or _is_fine(core, lifted):
+        return leaning or lifted, None
     effort.doing("looking for annotations that disagree")
     blamed = None
     for lost in (False, True)[lifted.doubtful :]:
@@ -261,6 +265,8 @@ def _lift_or_blame(
         blamed = find_blame(core, lifted, effort, lost=True, afresh=afresh)
     if effort.stopped:
         return lifted, None
+    if leaning is not None and _explains(core, leaning, lifted, blamed):
+        return leaning, None
     wished = _as_wished(core, structure, lifted, blamed, effort)
     if wished is not None:
         return wished
@@ -279,6 +285,12 @@ def _lift_or_blame(
     if lifted is not None and blamed is None and is_settled(lifted):
         blamed = suspicion(core, lifted, effort)
     return lifted, blamed
+
+
+def _explains(core: SketchGraph, leaning: Lifted, lifted: Lifted, blamed: Blame | None) -> bool:
+    """Whether a hand that leans explains the drawing better than a false annotation."""
+    found = leaning_reading(core, leaning, lifted)
+    return found.plausible and (blamed is None or found.information < blamed.information)
 
 
 def _as_wished(

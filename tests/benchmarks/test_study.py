@@ -10,7 +10,6 @@ from incontext.workbench import cli
 from incontext.workbench.bench import study as study_lines
 from incontext.workbench.bench.accuracy import (
     AFAR,
-    FAR,
     FRONTAL,
     FRONTAL_BOXES,
     PERSON,
@@ -50,8 +49,8 @@ def test_a_known_focal_length_helps_careless_drawings():
 @pytest.mark.parametrize("told", [{}, {"focal_known": True}, {"traced": "aligned"}], ids=str)
 def test_a_persons_drawings_are_never_taken_for_another_shape(told):
     found = run(Case("person", PERSON, **told), 1)
-    assert found.over(FAR) == 0
-    assert np.quantile(found.errors, 0.9) < WRONG_BASIN
+    assert found.over(WRONG_BASIN) == 0
+    assert np.quantile(found.errors, 0.9) < (0.04 if told else 0.06)
 
 
 def test_frontal_views_need_the_focal_length_from_exif():

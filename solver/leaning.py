@@ -1,0 +1,228 @@
+"""Drawings whose directions lean: errors of a hand that go together.
+
+People draw a whole direction towards a wrong vanishing point, and all lengths along it too long or
+too short. The ends then meet well, but no right-angled shape fits, and the full step turns camera
+and shape until they share the blame. Where the drawing itself shows that its errors go together,
+they are taken for what they are, and the shape is the one from which they lead to the drawing.
+
+Terms
+-----
+lean
+    A small matrix E (3, 3), object axes: the hand drew c + E (c - middle) where the shape has c.
+    Its numbers are normal, with standard deviations that people have (LEAN_SIGMA, LENGTH_SIGMA).
+marginal misfit
+    |r|^2 with the best lean, plus what that lean costs: with D the derivatives of r by E and P the
+    lean's precisions against the noise, |r|^2 - r^T D^T (P + D D^T)^-1 D r.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from .blaming import drawn_diagonal, is_settled, reading_of
+from .diagnosis import Reading
+from .diagnosis.precision import tangent
+from .full import DRAWING_SIGMA, FocalPrior, FullProblem, Pose
+from .graph import SketchGraph
+from .least_squares import EXACT_COST, minimise
+from .lifting import Lifted, told_focal
+from .problem import TRACED_SIGMA_PX, Problem
+from .projection import N_CAMERA
+from .starting.focal_prior import USUAL, spare_observations
+from .values import Array, Stop
+from .world import camera_above_ground
+
+#: How far directions lean (3 to 10 degrees, by component) and how far lengths are off, rad, parts.
+LEAN_SIGMA, LENGTH_SIGMA = 0.08, 0.03
+#: How well ends meet (RMS of a vertex, in parts of the drawing's diagonal), and how sure that is
+#: (standard deviation of the logarithm).
+ENDS_RMS, ENDS_LOG_SIGMA = 0.006, 0.8
+#: The noises among which the likeliest is looked for, in the same parts.
+NOISES = np.geomspace(3e-5, 0.05, 61)
+#: Odds (logarithm) that a drawing has to show before its errors count as going together. Of 1,000
+#: drawings with independent errors of 0.5 to 2 %, so many odds were shown by two.
+PLAIN_ODDS = 2.3
+#: What a lean adds to a shape's freedoms: the rest is turn and size, which are free already.
+LEAN_FREEDOMS = 3
+#: Iterations from the shape without a lean to the one with it, and the gain that ends them.
+MAX_ITERATIONS = 60
+ENOUGH = 1e-7
+#: Directions of the lean that the drawing feels less than this part of the others.
+UNFELT = 1e-4
+
+
+class LeaningProblem(FullProblem):
+    """The full step by the marginal misfit of what is imagined; what is traced does not lean.
+
+    Parameters
+    ----------
+    problem : Problem
+    prior : FocalPrior or None
+    noise : float
+        Standard deviation of a drawn coordinate, image units.
+    """
+
+    def __init__(self, problem: Problem, prior: FocalPrior | None, noise: float) -> None:
+        super().__init__(problem, prior)
+        self.noise = noise
+        self._precision = np.diag((noise / _lean_sigmas()) ** 2)
+        self._imagined = (problem.weights <= 1.0).astype(float)
+
+    def weighed_as(self, problem: Problem) -> LeaningProblem:
+        """The same with the weights of another problem."""
+        return LeaningProblem(problem, self.prior, self.noise)
+
+    def by_lean(self, x: Pose, rows: Array) -> Array:
+        """Derivatives of r by the nine numbers of E, (9, 2 n), from `FullProblem`'s rows."""
+        c = x.g[self.coordinate[: self.n_vertices]]
+        middle = (self._imagined @ c) / max(1.0, float(self._imagined.sum()))
+        off = ((c - middle) * self._imagined[:, None]).T
+        slopes = rows[5:, None, :].reshape(3, 1, 2, -1) * off[None, :, None, :]
+        return np.asarray(slopes.reshape(9, -1))
+
+    def misfit(self, x: Pose) -> float:
+        """The marginal misfit."""
+        rows = self._rows_of_vertices(x)
+        D, r = self.by_lean(x, rows), rows[0]
+        felt = D @ r
+        return float(r @ r - felt @ np.linalg.solve(self._precision + D @ D.T, felt))
+
+    def _of_drawing(self, x: Pose) -> tuple[Array, Array]:
+        if self._last_normal is None or self._last_normal[0] is not x:
+            rows = self._rows_of_vertices(x)
+            A, b = self._vertices.normal_equations(rows)
+            D = self.by_lean(x, rows)
+            both = D @ np.column_stack([self._vertices.dense(rows), rows[0]])
+            shared = both[:, :-1].T @ np.linalg.solve(self._precision + D @ D.T, both)
+            self._last_normal = (x, A - shared[:, :-1], b - shared[:, -1])
+        return self._last_normal[1:]
+
+    def evidence(self, plain: FullProblem, x: Pose) -> _Evidence:
+        """What the drawing shows of a lean, all else free to follow it, to first order about x."""
+        rows = self._rows_of_vertices(x)
+        D, r = self.by_lean(x, rows), rows[0]
+        at = plain.evaluate(x)
+        B = D @ self._vertices.dense(rows)
+        if self.up is not None:
+            B[:, :3] = B[:, :3] @ np.outer(self.up, self.up)
+        if self.problem.camera is not None:
+            B[:, 3] = 0.0
+        N = tangent(at.H) if len(at.h) else np.eye(N_CAMERA + self.m)
+        A, B, b = N.T @ at.A @ N, B @ N, N.T @ at.b
+        A[np.diag_indices(len(A))] += 1e-12 * float(A.trace())
+        taken = np.linalg.solve(A, np.column_stack([B.T, b]))
+        sigmas = _lean_sigmas()
+        S = (D @ D.T - B @ taken[:, :-1]) * np.outer(sigmas, sigmas)
+        felt = (D @ r - B @ taken[:, -1]) * sigmas
+        values, vectors = np.linalg.eigh(S)
+        kept = values > UNFELT * max(float(values[-1]), 1e-300)
+        squares = (felt @ vectors[:, kept]) ** 2 / values[kept]
+        rest = float(r @ r - b @ taken[:, -1] - squares.sum())
+        spare = max(spare_observations(plain, x) + (plain.prior is not None), len(squares))
+        return _Evidence(values[kept], squares, max(rest, 1e-30), spare - len(squares))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Evidence:
+    """Squares of what is left over once everything else followed the drawing.
+
+    Parameters
+    ----------
+    variances : (k,) array
+        By which a usual lean adds to the noise in the k directions where it can be seen.
+    squares : (k,) array
+        Seen in these directions.
+    rest : float
+        Sum of the squares in all others.
+    n_rest : int
+        How many those are.
+    """
+
+    variances: Array
+    squares: Array
+    rest: float
+    n_rest: int
+
+    def log_odds(self, noises: Array) -> tuple[float, float]:
+        """Of a lean against none, each with its likeliest noise; and the noise beside a lean."""
+        usual = ENDS_RMS * noises[-1] / NOISES[-1]
+        prior = -0.5 * (np.log(noises / usual) / ENDS_LOG_SIGMA) ** 2
+        prior -= 0.5 * (2 * self.n_rest * np.log(noises) + self.rest / noises**2)
+        plain = np.broadcast_to(noises[:, None] ** 2, (len(noises), len(self.squares)))
+        leaning = plain + self.variances
+        without, with_ = (
+            prior - 0.5 * (np.log(v) + self.squares / v).sum(axis=1) for v in (plain, leaning)
+        )
+        return float(with_.max() - without.max()), float(noises[int(with_.argmax())])
+
+
+def as_leaning(graph: SketchGraph, lifted: Lifted, stop: Stop) -> Lifted | None:
+    """The reading with a lean, begun from the one without; None where the drawing shows none."""
+    problem = _as_drawn(lifted.problem)
+    if not problem.structure.has_axes or len(problem.circles):
+        return None
+    last = lifted.minimum
+    if last.cost <= EXACT_COST or not np.isfinite(last.cost):
+        return None
+    told = None if lifted.focal_assumed else told_focal(problem)
+    expected = None if problem.camera is not None else told or USUAL
+    unit = drawn_diagonal(problem) / math.sqrt(2)
+    x, iterations = last.x, last.iterations
+    if lifted.doubtful or not last.converged:
+        # Far from all shapes only the one with a lean is a place to look around from.
+        noise = ENDS_RMS * unit
+        full = LeaningProblem(problem, _against(noise, expected), noise)
+        begun = minimise(full, x, max_iterations=MAX_ITERATIONS, enough=1e-3, near=True, stop=stop)
+        x, iterations = begun.x, iterations + begun.iterations
+    plain = FullProblem(problem, told)
+    odds, noise = LeaningProblem(problem, told, 1.0).evidence(plain, x).log_odds(NOISES * unit)
+    if odds < PLAIN_ODDS:
+        return None
+    full = LeaningProblem(problem, _against(noise, expected), noise)
+    minimum = minimise(full, x, max_iterations=MAX_ITERATIONS, enough=ENOUGH, near=True, stop=stop)
+    minimum = replace(minimum, iterations=iterations + minimum.iterations)
+    above = camera_above_ground(graph, problem, minimum.x)
+    found = Lifted(problem, full, minimum, above, lifted.focal_assumed)
+    return found if is_settled(found) and above >= lifted.above else None
+
+
+def leaning_reading(graph: SketchGraph, leaning: Lifted, without: Lifted) -> Reading:
+    """How well a shape with a lean follows the drawing, to be compared with others.
+
+    Parameters
+    ----------
+    graph : SketchGraph
+    leaning : Lifted
+        What `as_leaning` gave.
+    without : Lifted
+        From what; its weights count.
+    """
+    assert isinstance(leaning.full, LeaningProblem)
+    full = leaning.full.weighed_as(without.problem)
+    found = reading_of(graph, replace(leaning, problem=without.problem, full=full))
+    return replace(found, n_free=found.n_free + LEAN_FREEDOMS)
+
+
+def _against(noise: float, prior: FocalPrior | None) -> FocalPrior | None:
+    """What is known of the focal length, weighed against so much noise."""
+    return None if prior is None else replace(prior, sigma=prior.sigma * DRAWING_SIGMA / noise)
+
+
+def _as_drawn(problem: Problem) -> Problem:
+    """With traced vertices weighed against how well imagined ends meet: their lean is no noise."""
+    traced = problem.weights > 1.0
+    if not bool(traced.any()):
+        return problem
+    diagonal_px = drawn_diagonal(problem) * problem.px_per_unit
+    ratio = max(1.0 + 1e-9, ENDS_RMS * diagonal_px / TRACED_SIGMA_PX)
+    return replace(problem, weights=np.where(traced, ratio, 1.0))
+
+
+def _lean_sigmas() -> Array:
+    """(9,) standard deviations of E, row by row."""
+    sigmas = np.full((3, 3), LEAN_SIGMA)
+    np.fill_diagonal(sigmas, LENGTH_SIGMA)
+    return sigmas.ravel()

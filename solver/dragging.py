@@ -9,10 +9,11 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from .blas_threads import one_blas_thread
-from .full import EXIF_LOG_SIGMA, FocalPrior, FullProblem, Pose
+from .full import FocalPrior, FullProblem, Pose
 from .graph import SketchGraph
+from .leaning import can_lean, leaning_problem, noise_beside_lean
 from .least_squares import minimise
-from .lifting import is_unsure_of_focal
+from .lifting import is_unsure_of_focal, told_focal
 from .on_found_faces import listing_named_faces
 from .placed import put_in_world
 from .problem import build_problem
@@ -47,6 +48,7 @@ class Drag:
     _prior: FocalPrior | None = None
     _expected: FocalPrior | None = None
     _spare: int | None = None
+    _lean_noise: float | None = None
 
 
 def begin_drag(graph: SketchGraph, solution: Solution | None = None) -> Drag:
@@ -74,11 +76,11 @@ def _begun(graph: SketchGraph, solution: Solution) -> Drag:
     pose = pose_from(solution, core, problem)
     if pose is None:
         return idle
-    known = problem.log_focal_prior
-    prior = None if known is None else FocalPrior(known, EXIF_LOG_SIGMA)
-    if problem.camera is not None:
-        prior = None
-    elif prior is None:
+    prior = told_focal(problem)
+    noise = noise_beside_lean(problem, prior, pose) if can_lean(problem) else None
+    if noise is not None:
+        return replace(idle, _structure=structure, _pose=pose, _prior=prior, _lean_noise=noise)
+    if problem.camera is None and prior is None:
         full = FullProblem(problem, None)
         expected = USUAL if is_unsure_of_focal(full, pose) else None
         spare = spare_observations(full, pose)
@@ -107,7 +109,10 @@ def drag(last: Drag, graph: SketchGraph) -> Drag:
 
 def _moved(last: Drag, structure: Structure, pose: Pose, graph: SketchGraph) -> Drag:
     core = without_profiles(listing_named_faces(graph, last.solution.faces))
-    full = FullProblem(build_problem(core, structure), last._prior)
+    problem = build_problem(core, structure)
+    full = FullProblem(problem, last._prior)
+    if last._lean_noise is not None:
+        full = leaning_problem(problem, last._prior, last._lean_noise)
     weighed = last._spare is not None
     x = minimise(full, pose, max_iterations=ITERATIONS - weighed, near=True).x
     prior = last._prior

@@ -29,9 +29,12 @@ from .full import DRAWING_SIGMA, FocalPrior, FullProblem, Pose
 from .graph import SketchGraph
 from .least_squares import EXACT_COST, minimise
 from .lifting import Lifted, told_focal
-from .problem import TRACED_SIGMA_PX, Problem
+from .problem import TRACED_SIGMA_PX, Problem, build_problem
 from .projection import N_CAMERA
+from .solution import Solution
 from .starting.focal_prior import USUAL, spare_observations
+from .starting.warm_start import pose_from
+from .structure import Structure
 from .values import Array, Stop
 from .world import camera_above_ground
 
@@ -161,32 +164,86 @@ class _Evidence:
 
 def as_leaning(graph: SketchGraph, lifted: Lifted, stop: Stop) -> Lifted | None:
     """The reading with a lean, begun from the one without; None where the drawing shows none."""
-    problem = _as_drawn(lifted.problem)
-    if not problem.structure.has_axes or len(problem.circles):
-        return None
     last = lifted.minimum
-    if last.cost <= EXACT_COST or not np.isfinite(last.cost):
+    if not can_lean(lifted.problem) or last.cost <= EXACT_COST or not np.isfinite(last.cost):
         return None
-    told = None if lifted.focal_assumed else told_focal(problem)
-    expected = None if problem.camera is not None else told or USUAL
-    unit = drawn_diagonal(problem) / math.sqrt(2)
+    told = None if lifted.focal_assumed else told_focal(lifted.problem)
     x, iterations = last.x, last.iterations
     if lifted.doubtful or not last.converged:
         # Far from all shapes only the one with a lean is a place to look around from.
-        noise = ENDS_RMS * unit
-        full = LeaningProblem(problem, _against(noise, expected), noise)
+        full = leaning_problem(lifted.problem, told, _usual_noise(lifted.problem))
         begun = minimise(full, x, max_iterations=MAX_ITERATIONS, enough=1e-3, near=True, stop=stop)
         x, iterations = begun.x, iterations + begun.iterations
-    plain = FullProblem(problem, told)
-    odds, noise = LeaningProblem(problem, told, 1.0).evidence(plain, x).log_odds(NOISES * unit)
-    if odds < PLAIN_ODDS:
+    noise = noise_beside_lean(lifted.problem, told, x)
+    if noise is None:
         return None
-    full = LeaningProblem(problem, _against(noise, expected), noise)
+    found = _leaned(graph, leaning_problem(lifted.problem, told, noise), x, stop)
+    if found is None or found.above < lifted.above:
+        return None
+    iterations += found.minimum.iterations
+    return replace(
+        found,
+        minimum=replace(found.minimum, iterations=iterations),
+        focal_assumed=lifted.focal_assumed,
+    )
+
+
+def as_leaning_near(
+    graph: SketchGraph, structure: Structure, start: Solution, stop: Stop
+) -> Lifted | None:
+    """The same from a solution that is known; None also where that leads nowhere good."""
+    problem = build_problem(graph, structure)
+    x = pose_from(start, graph, problem) if can_lean(problem) else None
+    if x is None:
+        return None
+    told = told_focal(problem)
+    noise = noise_beside_lean(problem, told, x)
+    if noise is None:
+        return None
+    found = _leaned(graph, leaning_problem(problem, told, noise), x, stop)
+    return found if found is not None and found.above else None
+
+
+def _leaned(graph: SketchGraph, full: LeaningProblem, x: Pose, stop: Stop) -> Lifted | None:
     minimum = minimise(full, x, max_iterations=MAX_ITERATIONS, enough=ENOUGH, near=True, stop=stop)
-    minimum = replace(minimum, iterations=iterations + minimum.iterations)
-    above = camera_above_ground(graph, problem, minimum.x)
-    found = Lifted(problem, full, minimum, above, lifted.focal_assumed)
-    return found if is_settled(found) and above >= lifted.above else None
+    above = camera_above_ground(graph, full.problem, minimum.x)
+    found = Lifted(full.problem, full, minimum, above)
+    return found if is_settled(found) else None
+
+
+def can_lean(problem: Problem) -> bool:
+    """Whether a lean is looked for at all."""
+    return problem.structure.has_axes and not len(problem.circles) and len(problem.points) > 0
+
+
+def noise_beside_lean(problem: Problem, told: FocalPrior | None, x: Pose) -> float | None:
+    """How exactly ends meet in a drawing that leans, image units; None where none is shown.
+
+    Parameters
+    ----------
+    problem : Problem
+    told : FocalPrior or None
+        What the photo's file says.
+    x : Pose
+        Near the minimum with or without a lean.
+    """
+    problem = _as_drawn(problem)
+    noises = NOISES * drawn_diagonal(problem) / math.sqrt(2)
+    plain = FullProblem(problem, told)
+    odds, noise = LeaningProblem(problem, told, 1.0).evidence(plain, x).log_odds(noises)
+    return noise if odds >= PLAIN_ODDS else None
+
+
+def leaning_problem(problem: Problem, told: FocalPrior | None, noise: float) -> LeaningProblem:
+    """The full step with a lean beside so much noise; the usual focal length is expected."""
+    prior = None if problem.camera is not None else told or USUAL
+    if prior is not None:
+        prior = replace(prior, sigma=prior.sigma * DRAWING_SIGMA / noise)
+    return LeaningProblem(_as_drawn(problem), prior, noise)
+
+
+def _usual_noise(problem: Problem) -> float:
+    return ENDS_RMS * drawn_diagonal(problem) / math.sqrt(2)
 
 
 def leaning_reading(graph: SketchGraph, leaning: Lifted, without: Lifted) -> Reading:
@@ -204,11 +261,6 @@ def leaning_reading(graph: SketchGraph, leaning: Lifted, without: Lifted) -> Rea
     full = leaning.full.weighed_as(without.problem)
     found = reading_of(graph, replace(leaning, problem=without.problem, full=full))
     return replace(found, n_free=found.n_free + LEAN_FREEDOMS)
-
-
-def _against(noise: float, prior: FocalPrior | None) -> FocalPrior | None:
-    """What is known of the focal length, weighed against so much noise."""
-    return None if prior is None else replace(prior, sigma=prior.sigma * DRAWING_SIGMA / noise)
 
 
 def _as_drawn(problem: Problem) -> Problem:

@@ -45,6 +45,9 @@ NEXT_ENOUGH = 1e-7
 SAME_WEIGHT = 1e-3
 MAX_FINISHED = 2
 MAX_ITERATIONS = 100
+#: Along constraints that forbid a move to second order only (right angles at right-angled shapes)
+#: steps creep without end; gains below this part of the cost say nothing about the shape.
+INSIGNIFICANT = 1e-4
 #: A view that in so many more iterations gains less than this part of its distance to the best is
 #: not carried on.
 REACH = 0.25
@@ -163,6 +166,7 @@ def _as_expected(
         if same and last.converged:
             break
         full = full.with_prior(prior)
+        cost, damping = last.cost, last.damping
         last = minimise(
             full,
             last.x,
@@ -173,6 +177,10 @@ def _as_expected(
             stop=stop,
         )
         iterations += last.iterations
+        # A step that was taken, not one that was refused.
+        taken = last.damping <= damping
+        if same and taken and abs(last.cost - cost) <= NEXT_ENOUGH * cost:
+            last = replace(last, converged=True)
         if not last.iterations:
             break
     if prior is None and full.prior is None:
@@ -323,6 +331,8 @@ class _Pursuit:
             stuck = last.iterations < SOME_ITERATIONS
             beyond = self.least < last.cost
             gain = before - last.cost
+            if used >= self.max_iterations and 0 <= gain < INSIGNIFICANT * last.cost:
+                last = replace(last, converged=True)
             if stuck or (beyond and gain < REACH * (last.cost - self.least)):
                 break
         return replace(last, iterations=used)

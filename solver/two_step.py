@@ -54,7 +54,7 @@ from .effort import Effort
 from .errors import SketchError
 from .faces import awaited_faces
 from .graph import SketchGraph
-from .leaning import as_leaning, leaning_reading
+from .leaning import as_leaning, as_leaning_near, leaning_reading
 from .lifting import UNSURE_FOCAL_SIGMA, Lifted, lift, lift_near
 from .necker import fits_as_well, twin_of
 from .on_found_faces import solve_on_found_faces
@@ -148,13 +148,21 @@ def _solve(graph: SketchGraph, start: Solution | None, effort: Effort, *, twin: 
         return _too_free(graph, f"{conditions} conditions on {n} coordinates are left")
     effort.weigh(structure.n_coordinates + conditions)
     effort.doing("looking for the camera and the shape", 0.1)
-    near = None if start is None else lift_near(core, structure, start, effort)
+    near = None if start is None else _lift_near(core, structure, start, effort)
     if near is not None and not needs_a_closer_look(core, near, dragging=True):
         return _describe(graph, core, _reading_asked_for(core, near, effort, twin=twin))
     lifted, blamed = _lift_or_blame(core, structure, effort)
     if lifted is None:
         return _lost(graph)
     return _describe(graph, core, _reading_asked_for(core, lifted, effort, twin=twin), blamed)
+
+
+def _lift_near(
+    core: SketchGraph, structure: Structure, start: Solution, stop: Stop
+) -> Lifted | None:
+    """From a solution that is known, with a lean where the drawing shows one there."""
+    leaning = as_leaning_near(core, structure, start, stop)
+    return leaning or lift_near(core, structure, start, stop)
 
 
 def _conditions(core: SketchGraph, structure: Structure) -> int:
@@ -253,7 +261,7 @@ def _lift_or_blame(
     lifted = lift_as_guessed(core, structure, effort) or lift(core, structure, effort, wary=True)
     if lifted is None or effort.stopped:
         return lifted, None
-    leaning = as_leaning(core, lifted, effort)
+    lifted, leaning = _with_lean(core, structure, lifted, effort)
     if effort.stopped or _is_fine(core, lifted):
         return leaning or lifted, None
     effort.doing("looking for annotations that disagree")
@@ -285,6 +293,20 @@ def _lift_or_blame(
     if lifted is not None and blamed is None and is_settled(lifted):
         blamed = suspicion(core, lifted, effort)
     return lifted, blamed
+
+
+def _with_lean(
+    core: SketchGraph, structure: Structure, lifted: Lifted, effort: Effort
+) -> tuple[Lifted, Lifted | None]:
+    """A reading, and the same with a lean where the drawing shows one."""
+    leaning = as_leaning(core, lifted, effort)
+    if leaning is None or not lifted.doubtful:
+        return lifted, leaning
+    # Only a first look was taken: the exact drawing of something else looks like a lean, too.
+    whole = lift(core, structure, effort)
+    if whole is None or not _is_fine(core, whole):
+        return lifted, leaning
+    return whole, as_leaning(core, whole, effort)
 
 
 def _explains(core: SketchGraph, leaning: Lifted, lifted: Lifted, blamed: Blame | None) -> bool:

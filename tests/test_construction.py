@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scenes import FAMILIES, Hand, box, l_shape, photograph, with_traced_box
 
 from incontext.solver import solve
+from incontext.solver.solution import Status
 from incontext.solver.structure import build_structure
 
 #: A person's drawing: each direction leans by 3 to 10 degrees, lengths are off by 5 %.
@@ -50,3 +53,28 @@ def test_a_traced_box_alone_is_solved():
     rng = np.random.default_rng(1)
     graph = with_traced_box(photograph(box(), rng), rng, aligned=False).graph
     assert solve(graph).report.residuals["tground"].value < 1e-9
+
+
+def test_right_angles_that_hold_to_second_order_only_do_not_keep_it_from_ending():
+    rng = np.random.default_rng([50, 1])
+    photo = photograph(FAMILIES["wedge"](rng), rng, hand=Hand(0.008))
+    photo = with_traced_box(photo, rng, aligned=False, turned_deg=8.0)
+    missing = [
+        "ra1",
+        "ra3",
+        "ra8",
+        "ra14",
+        "tra1",
+        "tra4",
+        "tra9",
+        "tra12",
+        "tra14",
+        "tra17",
+        "tra24",
+        "length",
+    ]
+    said = {k: a for k, a in photo.graph.annotations.items() if k not in missing}
+    solution = solve(replace(photo.graph, annotations=said))
+    # It crept along for 200 iterations and several seconds, and then was called not converged.
+    assert solution.status is Status.CONVERGED
+    assert photo.error(solution.vertices_mm) < 0.01

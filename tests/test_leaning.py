@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scenes import FAMILIES, Hand, Views, photograph
 
-from incontext.solver import solve
+from incontext.solver import begin_drag, drag, solve
 from incontext.solver.leaning import LeaningProblem, as_leaning
 from incontext.solver.lifting import lift
 from incontext.solver.problem import build_problem
@@ -100,3 +100,17 @@ def test_what_is_traced_does_not_lean():
     D = full.by_lean(x, full._rows_of_vertices(x)).reshape(9, 2, -1)
     assert not D[..., :4].any()
     assert D[..., 4:].any()
+
+
+def test_a_dragged_vertex_is_followed_with_the_lean():
+    graph = drawing("table", 3, LEANING, focal_known=True).graph
+    drags = begin_drag(graph)
+    for _ in range(8):
+        u, v = drags.graph.vertices["v0"]
+        drags = drag(drags, replace(drags.graph, vertices={**graph.vertices, "v0": (u + 1, v)}))
+    near = solve(drags.graph, start=drags.solution)
+    afresh = solve(drags.graph)
+    size = np.ptp(afresh.vertices_mm["v0"] - np.array(list(afresh.vertices_mm.values())))
+    for id_, place in afresh.vertices_mm.items():
+        assert np.allclose(near.vertices_mm[id_], place, atol=1e-3 * size)
+        assert np.allclose(drags.solution.vertices_mm[id_], place, atol=5e-3 * size)

@@ -13,7 +13,12 @@ from .shapes import box
 
 
 def with_traced_box(
-    photo: Photograph, rng: np.random.Generator, *, trace_px: float = 1.5, aligned: bool = True
+    photo: Photograph,
+    rng: np.random.Generator,
+    *,
+    trace_px: float = 1.5,
+    aligned: bool = True,
+    turned_deg: float | None = None,
 ) -> Photograph:
     """The photograph with a box that really is there, traced as construction geometry.
 
@@ -26,12 +31,16 @@ def with_traced_box(
     aligned : bool
         Whether the box stands parallel to the object, and this is annotated; else it is turned
         about the vertical, and only the ground is common.
+    turned_deg : float, optional
+        By so much; else by 10 to 80 degrees.
     """
     low, high = photo.shape.X.min(axis=0), photo.shape.X.max(axis=0)
     size = high - low
     w, d, h = rng.uniform(0.4, 0.9, 3) * np.maximum(size, 0.3 * size.max())
     real = box(w, d, h)
-    angle = 0.0 if aligned else rng.uniform(np.radians(10), np.radians(80))
+    angle = np.radians(0.0 if turned_deg is None else turned_deg)
+    if not aligned and turned_deg is None:
+        angle = rng.uniform(np.radians(10), np.radians(80))
     X = real.X @ Rotation.from_rotvec([0, 0, angle]).as_matrix().T
     # Beside the object: to the left or right of it as seen.
     right = photo.camera.rotation_cam_from_world[0] * [1, 1, 0]

@@ -3013,5 +3013,13 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <source>Finding the camera ...</source>
         <translation>Kamera wird gesucht …</translation>
     </message>
+    <message>
+        <source>Method: {}</source>
+        <translation>Verfahren: {}</translation>
+    </message>
+    <message>
+        <source>Change method</source>
+        <translation>Verfahren ändern</translation>
+    </message>
 </context>
 </TS>

@@ -3013,5 +3013,13 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <source>Finding the camera ...</source>
         <translation>カメラを求めています…</translation>
     </message>
+    <message>
+        <source>Method: {}</source>
+        <translation>方法: {}</translation>
+    </message>
+    <message>
+        <source>Change method</source>
+        <translation>方法を変更</translation>
+    </message>
 </context>
 </TS>

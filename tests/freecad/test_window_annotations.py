@@ -194,3 +194,12 @@ def test_symbols_are_clicked_and_deleted_in_the_sketch(panel, controller, hands,
     assert "a1" not in view.graph.annotations
     assert document.UndoNames[0] == "Delete"
     assert len(document.Objects) == 3
+
+
+def test_every_kind_has_an_icon():
+    from pathlib import Path
+
+    from incontext.solver.annotations import ANNOTATIONS
+    from incontext.workbench.panels.annotation_texts import kind_icon
+
+    assert all(Path(kind_icon(kind)).is_file() for kind in ANNOTATIONS)

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 from PySide import QtCore, QtGui
 
+from incontext.solver import solve
 from incontext.solver.serialise import sketch_to_text
 from incontext.solver.synthetic import organizer, photograph
-from incontext.tests.freecad.hands import pump
+from incontext.tests.freecad.hands import pump, wait_until
 from incontext.workbench import host
 from incontext.workbench.features.lifted_model import make_lifted_model
 from incontext.workbench.features.photo_sketch import make_photo_sketch
@@ -92,3 +93,49 @@ def test_a_slow_lift_can_be_stopped(document, seen):
     model.Method = "Modified Lipson"
     document.recompute()
     assert model.Status == "converged"
+
+
+@pytest.fixture
+def button(document, window):
+    """The panel's menu of methods, a slow sketch's model behind it."""
+    from incontext.workbench.panels.annotation_dock import the_panel
+    from incontext.workbench.panels.tabs import show_tab
+
+    text = sketch_to_text(photograph(organizer(), np.random.default_rng(1)).graph)
+    sketch = make_photo_sketch(document, text)
+    document.recompute()
+    show_tab(sketch)
+    wait_until(lambda: the_panel().isVisible())
+    button = the_panel()._method
+    assert not button.isVisible()
+    model = make_lifted_model(document, sketch)
+    document.recompute()
+    wait_until(button.isVisible)
+    return button, model
+
+
+def test_the_panel_names_the_method_and_takes_another_one(button, document, monkeypatch):
+    from incontext.solver.reference import METHODS
+
+    button, model = button
+    assert button.text() == "Method: Modified Lipson"
+    monkeypatch.setitem(METHODS, "lipson1996", lambda graph, **_: solve(graph))
+    button._choices["Lipson 1996"].trigger()
+    assert (str(model.Method), model.Status) == ("Lipson 1996", "converged")
+    assert button.text() == "Method: Lipson 1996"
+    assert document.UndoNames[0] == "Change method"
+    document.undo()
+    wait_until(lambda: button.text() == "Method: Modified Lipson")
+
+
+def test_a_method_that_is_stopped_is_not_taken(button, document, seen):
+    button, model = button
+    steps = list(document.UndoNames)
+    seen[1].append(0)
+    button._choices["Lau 2010"].trigger()
+    assert "Lau 2010" in seen[0][0][0]
+    assert (str(model.Method), model.Status) == ("Modified Lipson", "converged")
+    assert button.text() == "Method: Modified Lipson"
+    assert button._choices["Modified Lipson"].isChecked()
+    assert not button._choices["Lau 2010"].isChecked()
+    assert document.UndoNames == steps

@@ -48,7 +48,8 @@ def _ghost(scene: Scene, suggestion: Annotation) -> Ghost:
         return Ghost(suggestion, (corner,), (corner[1],))
     if isinstance(suggestion, Ground):
         feet = [_below(scene.screen[v]) for v in suggestion.vertices]
-        return Ghost(suggestion, tuple(s for foot in feet for s in _hatch(foot)), tuple(feet))
+        hatches = tuple(s for foot in feet for s in symbols.ground(foot, style.GHOST_PX))
+        return Ghost(suggestion, hatches, tuple(feet))
     lines = [scene.ends(edge) for edge in suggestion.edges]
     size, spacing = 1.6 * style.ARROW_PX, style.MARK_SPACING_PX
     marks = [mark for line in lines for mark in symbols.arrows(*line, 1, size, spacing)]
@@ -64,14 +65,6 @@ def _beside(line: tuple[Point, Point]) -> Point:
 
 def _below(place: Point) -> Point:
     return (place[0], place[1] + style.GHOST_PX)
-
-
-def _hatch(foot: Point) -> list[Stroke]:
-    """A line with slanted ones below it: the ground, as engineers draw it."""
-    x, y = foot
-    half = style.GHOST_PX / 2
-    slants = [((x + k * half, y), (x + k * half - 4, y + 5)) for k in (-0.6, 0.1, 0.8)]
-    return [((x - half, y), (x + half, y)), *slants]
 
 
 class Ghosts:

@@ -11,7 +11,7 @@ from . import style, symbols
 from .plane import middle
 from .plaques import paint_numbers, paint_plaques
 from .qt import QtCore, QtGui
-from .said import arrows_on, ticks_on
+from .said import arrows_on, ground_below, ticks_on
 from .symmetry import outline_of
 
 if TYPE_CHECKING:
@@ -38,6 +38,7 @@ def paint_lines(painter: QtGui.QPainter, scene: Scene) -> None:
     """Paint edges, vertices and the symbols on them."""
     # Below the edges, whose ends they would cover else.
     _paint_right_angles(painter, scene)
+    _paint_ground(painter, scene)
     fine(painter, scene.rings, style.EDGE)
     _paint_edges(painter, scene)
     _paint_marks(painter, scene)
@@ -141,6 +142,12 @@ def _paint_symmetry_planes(painter: QtGui.QPainter, scene: Scene) -> None:
         fine(painter, [outline_of(middles)], style.SYMMETRY)
         diamonds = [symbols.diamond(place, style.DIAMOND_PX) for place in middles]
         stroke(painter, diamonds, style.SYMMETRY, style.SYMBOL_PX)
+
+
+def _paint_ground(painter: QtGui.QPainter, scene: Scene) -> None:
+    there = [v for v in scene.marks.ground if v in scene.screen and scene.shows(v)]
+    strokes = [s for v in there for s in ground_below(scene.places, v)]
+    stroke(painter, strokes, style.GROUND, style.SYMBOL_PX)
 
 
 def _paint_touching(painter: QtGui.QPainter, scene: Scene) -> None:

@@ -88,7 +88,7 @@ def annotation_at(places: Places, point: Point) -> str | None:
 
 
 def symbol_of(places: Places, id_: str) -> Symbol:
-    """The symbol of an annotation; an empty one where vertices show it, as those on the ground."""
+    """The symbol of an annotation."""
     annotation = places.graph.annotations[id_]
     drawn = _SYMBOLS.get(annotation.kind)
     return Symbol() if drawn is None else drawn(places, id_, annotation)
@@ -151,6 +151,16 @@ def _diameter(places: Places, _: str, annotation: Annotation) -> Symbol:
     return Symbol(areas=(_box((x, y + below), room),))
 
 
+def _ground(places: Places, _: str, annotation: Annotation) -> Symbol:
+    return Symbol(tuple(s for v in annotation.vertices for s in ground_below(places, v)))
+
+
+def ground_below(places: Places, vertex: str) -> list[Stroke]:
+    """The ground on which a vertex stands: a shape, for who cannot tell the colour."""
+    (x, y), below = places.at[vertex], style.GROUND_BELOW_PX * places.size
+    return symbols.ground((x, y + below), style.GROUND_PX * places.size)
+
+
 def _on_face(places: Places, _: str, annotation: Annotation) -> Symbol:
     (x, y), r = places.at[annotation.vertex], style.TOUCHING_PX * places.size
     return Symbol((symbols.ellipse(((x - r, y), (x + r, y)), ((x, y - r), (x, y + r)), 16),))
@@ -174,6 +184,7 @@ _SYMBOLS: dict[str, Callable[[Places, str, Annotation], Symbol]] = {
     "symmetry_plane": _symmetry_plane,
     "length": _length,
     "diameter": _diameter,
+    "ground": _ground,
     "on_face": _on_face,
 }
 

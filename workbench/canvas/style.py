@@ -70,6 +70,9 @@ CURSOR_PX = (5.0, 15.0)
 DIAMOND_PX = 4.5
 TOUCHING_PX = 6.8
 """Radius of the ring around a vertex that touches a face."""
+GROUND_PX = 11.0
+GROUND_BELOW_PX = 5.6
+"""Of the ground below a vertex that stands on it."""
 BADGE_PX = 3.0
 HATCH_PX = 11.0
 FINE_PX = 1.3

@@ -119,6 +119,23 @@ def beside(start: Point, end: Point, centre: Point, size: Point, distance_px: fl
     return (x - away * dy, y + away * dx)
 
 
+def ground(place: Point, size_px: float) -> list[Stroke]:
+    """A line with slanted ones below it: the ground, as engineers draw it.
+
+    Parameters
+    ----------
+    place : point
+        The middle of the line.
+    size_px : float
+        Its length.
+    """
+    (x, y), half = place, size_px / 2
+    slant = 0.4 * half, 0.5 * half
+    starts = [x + k * half for k in (-0.6, 0.1, 0.8)]
+    slants = [((start, y), (start - slant[0], y + slant[1])) for start in starts]
+    return [((x - half, y), (x + half, y)), *slants]
+
+
 def diamond(place: Point, size_px: float) -> Stroke:
     """A small diamond about a place."""
     (x, y), r = place, size_px

@@ -11,9 +11,11 @@ slow
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
 
 from .. import host
+from ..problems import StoppedError
 from .properties import Property
 
 if TYPE_CHECKING:
@@ -47,6 +49,26 @@ def parts_of(source: str) -> tuple[str | None, str]:
     """The slow method, if one, and the sketch's text."""
     name, _, text = source.partition(_BEHIND)
     return (name, text) if name in SLOW.values() else (None, source)
+
+
+def choose_method(models: Iterable[Any], method: str) -> None:
+    """Have lifted models lifted by a method, as one step to undo; none where a person stops it."""
+    models = [model for model in models if str(model.Method) != method]
+    if not models:
+        return
+    document = models[0].Document
+    try:
+        with host.transaction(document, host.translate("InContext", "Change method")):
+            for model in models:
+                model.Method = method
+            document.recompute()
+            if any(model.Status == "stopped" for model in models):
+                raise StoppedError
+    except StoppedError:
+        # The step is taken back; what the models say of themselves comes with a recompute.
+        for model in models:
+            model.touch()
+        document.recompute()
 
 
 def lift_slowly(graph: SketchGraph, name: str) -> Solution | None:

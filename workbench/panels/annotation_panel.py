@@ -11,6 +11,7 @@ from ..canvas.qt import QtCore, QtGui
 from ..canvas.selection import Selection
 from . import annotation_texts as texts
 from . import traced_texts
+from .method_button import MethodButton
 
 if TYPE_CHECKING:
     from ...solver.graph import SketchGraph
@@ -50,10 +51,12 @@ class AnnotationPanel(QtGui.QWidget):
         self._traced.setWordWrap(True)
         self._suggested = QtGui.QPushButton()
         self._suggested.clicked.connect(self._take_all)
+        self._method = MethodButton()
         layout = QtGui.QVBoxLayout(self)
         layout.setContentsMargins(4, 4, 4, 4)
         for widget in (self._status, self._list, self._traced, self._suggested, self._counts):
             layout.addWidget(widget)
+        layout.addWidget(self._method, 0, _Qt.AlignLeft)
         self._soon = QtCore.QTimer(self)
         self._soon.setSingleShot(True)
         self._soon.setInterval(FOLLOW_MS)
@@ -156,6 +159,7 @@ class AnnotationPanel(QtGui.QWidget):
         counts = "" if controller is None else controller.parameter_words()
         self._counts.setText(counts)
         self._counts.setVisible(bool(counts))
+        self._method.show_models(() if controller is None else controller.models)
 
     def _say_of_traced(self) -> None:
         """How well the lines that are traced on real things agree; each of them in the tooltip."""

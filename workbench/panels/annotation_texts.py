@@ -17,7 +17,7 @@ KINDS: dict[str, tuple[str, str]] = {
     "equal_length": ("Equal lengths", "InContext_ToolEqualLength"),
     "parallel": ("Parallel", "InContext_ToolParallel"),
     "ground": ("On the ground", "InContext_ToolGround"),
-    "symmetry_plane": ("Symmetry plane", "InContext_ToolSymmetry"),
+    "symmetry_plane": ("Symmetry plane", "InContext_ToolSymmetryPlane"),
     "length": ("Length", "InContext_ToolLength"),
     "diameter": ("Diameter", "InContext_ToolCircle"),
     "on_face": ("On a face", "InContext_ToolOnFace"),

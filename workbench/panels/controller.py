@@ -268,6 +268,11 @@ class SketchController:
         joined = " \N{MIDDLE DOT} ".join(w.rstrip(".\N{IDEOGRAPHIC FULL STOP}") for w in words if w)
         self.tab.show_outcome(joined, good=True)
 
+    @property
+    def models(self) -> list[Any]:
+        """The lifted models of the sketch."""
+        return [o for o in self.obj.InList if is_lifted_model(o)]
+
     def parameter_words(self) -> str:
         """How many numbers the solve has to find."""
         from ...solver import parameter_counts

@@ -118,14 +118,14 @@ def test_the_panel_names_the_method_and_takes_another_one(button, document, monk
     from incontext.solver.reference import METHODS
 
     button, model = button
-    assert button.text() == "Method: Modified Lipson"
+    assert button.text().startswith("Method: Modified Lipson")
     monkeypatch.setitem(METHODS, "lipson1996", lambda graph, **_: solve(graph))
     button._choices["Lipson 1996"].trigger()
     assert (str(model.Method), model.Status) == ("Lipson 1996", "converged")
-    assert button.text() == "Method: Lipson 1996"
+    assert button.text().startswith("Method: Lipson 1996")
     assert document.UndoNames[0] == "Change method"
     document.undo()
-    wait_until(lambda: button.text() == "Method: Modified Lipson")
+    wait_until(lambda: button.text().startswith("Method: Modified Lipson"))
 
 
 def test_a_method_that_is_stopped_is_not_taken(button, document, seen):
@@ -135,7 +135,7 @@ def test_a_method_that_is_stopped_is_not_taken(button, document, seen):
     button._choices["Lau 2010"].trigger()
     assert "Lau 2010" in seen[0][0][0]
     assert (str(model.Method), model.Status) == ("Modified Lipson", "converged")
-    assert button.text() == "Method: Modified Lipson"
+    assert button.text().startswith("Method: Modified Lipson")
     assert button._choices["Modified Lipson"].isChecked()
     assert not button._choices["Lau 2010"].isChecked()
     assert document.UndoNames == steps

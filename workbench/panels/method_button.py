@@ -9,6 +9,9 @@ from .. import host
 from ..canvas.qt import QtCore, QtGui
 from ..features.methods import OURS, SLOW, choose_method
 
+#: Behind what opens a menu.
+_MENU = " \N{BLACK DOWN-POINTING SMALL TRIANGLE}"
+
 
 class MethodButton(QtGui.QToolButton):
     """Names the method of the models at hand; its menu takes another one."""
@@ -20,6 +23,8 @@ class MethodButton(QtGui.QToolButton):
         self.setAutoRaise(True)
         self.setPopupMode(QtGui.QToolButton.InstantPopup)
         self.setToolButtonStyle(QtCore.Qt.ToolButtonTextOnly)
+        # Qt paints its arrow over the text's end.
+        self.setStyleSheet("QToolButton::menu-indicator { image: none; }")
         words = (
             "How the sketch is lifted. The methods of the papers are slow and less exact: they are "
             "there to compare with"
@@ -43,7 +48,7 @@ class MethodButton(QtGui.QToolButton):
         if names == self._shown:
             return
         self._shown = names
-        self.setText(host.translate("InContext", "Method: {}").format(", ".join(names)))
+        self.setText(host.translate("InContext", "Method: {}").format(", ".join(names)) + _MENU)
         for name, choice in self._choices.items():
             choice.setChecked(name in names)
 

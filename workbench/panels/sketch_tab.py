@@ -27,6 +27,9 @@ class SketchTab(QtGui.QWidget):
 
     def __init__(self, graph: SketchGraph, image: QtGui.QImage | None, title: str) -> None:
         super().__init__()
+        # Themes are style sheets, which colour plain widgets only if asked to: dark words on dark.
+        self.setAttribute(_Qt.WA_StyledBackground)
+        self.setAutoFillBackground(True)
         self.view = SketchView(graph, image)
         self._light = QtGui.QLabel()
         self._light.setFixedSize(10, 10)

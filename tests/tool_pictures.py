@@ -171,6 +171,7 @@ def annotating_tools(shelf):
     p = Picture(plain, SHELF, solved=False).use("equal_length")
     p.click(p.middle("v1", "v2")).move(p.middle("v5", "v6")).save("equal_length")
     p = Picture(plain, SHELF, solved=False).use("ground")
+    p.click(p.middle("v1", "v2"))
     p.move(p.middle("v1", "v2", "v3", "v4")).save("ground")
     p = Picture(replace(shelf, annotations=_without_length(shelf)), SHELF).use("length")
     p.click(p.middle("v1", "v2"))

@@ -9,6 +9,7 @@ from PySide import QtCore
 from incontext.solver.serialise import sketch_from_text
 from incontext.tests.freecad.hands import pump, wait_until
 from incontext.workbench.canvas.selection import Selection
+from incontext.workbench.panels import working
 
 SIZE, OFF = 1, 2
 
@@ -81,7 +82,10 @@ def test_delete_takes_away_the_annotation_alone(panel, controller, hands, docume
     wait_until(lambda: row(panel, "parallel") is not None)
 
 
-def test_typed_length_drives_the_model(panel, controller, hands, shelf):
+@pytest.mark.parametrize("soon_s", [0.3, 0.0])
+def test_typed_length_drives_the_model(panel, controller, hands, shelf, monkeypatch, soon_s):
+    # Where plates take long, events are handled while the row's editor is still at work.
+    monkeypatch.setattr(working, "SOON_S", soon_s)
     area = shelf[1].Shape.Area
     cell = place(panel, "length", SIZE)
     hands.click(cell)

@@ -16,6 +16,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+from ...solver.annotations import Ground
 from . import style, symbols
 from .marks import Marks, length_text
 from .plane import Point, foot, is_inside, middle
@@ -83,8 +84,11 @@ def annotation_at(places: Places, point: Point) -> str | None:
     """
     drawn = ((symbol_of(places, id_), id_) for id_ in places.graph.annotations)
     near = [(s, id_) for s, id_ in drawn if s.distance(point) <= NEAR_PX * places.size]
+    # The ground lies below vertices, where others have their symbols too.
+    others = [pair for pair in near if places.graph.annotations[pair[1]].kind != Ground.kind]
     # Right angles at one vertex cover each other in part: the one in whose middle the place is.
-    return min(near, key=lambda pair: pair[0].off_middle(point), default=(None, None))[1]
+    nearest = min(others or near, key=lambda pair: pair[0].off_middle(point), default=(None, None))
+    return nearest[1]
 
 
 def symbol_of(places: Places, id_: str) -> Symbol:

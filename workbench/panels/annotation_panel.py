@@ -12,6 +12,7 @@ from ..canvas.selection import Selection
 from . import annotation_texts as texts
 from . import traced_texts
 from .method_button import MethodButton
+from .working import is_waiting
 
 if TYPE_CHECKING:
     from ...solver.graph import SketchGraph
@@ -59,7 +60,6 @@ class AnnotationPanel(QtGui.QWidget):
         layout.addWidget(self._method, 0, _Qt.AlignLeft)
         self._soon = QtCore.QTimer(self)
         self._soon.setSingleShot(True)
-        self._soon.setInterval(FOLLOW_MS)
         self._soon.timeout.connect(self.refresh)
         self.refresh()
 
@@ -73,10 +73,14 @@ class AnnotationPanel(QtGui.QWidget):
     def refresh_soon(self) -> None:
         """Follow the sketch, though not at every frame of a drag."""
         if not self._soon.isActive():
-            self._soon.start()
+            self._soon.start(FOLLOW_MS)
 
     def refresh(self) -> None:
         """Show what is said now, and how true it is."""
+        if is_waiting():
+            # An edit from a row is being worked on, which the row must outlive.
+            self._soon.start(FOLLOW_MS)
+            return
         self._soon.stop()
         self.setEnabled(self.controller is not None)
         graph, report = self._graph(), self._report()

@@ -16,6 +16,15 @@ SOON_S = 0.3
 STEPS = 1000
 
 
+#: Work that somebody is waiting for: meanwhile events are handled in the middle of others.
+_waited_for: list[InThread] = []
+
+
+def is_waiting() -> bool:
+    """Whether work is shown that somebody waits for; what they hold on to must not be deleted."""
+    return bool(_waited_for)
+
+
 class _Job(InThread):
     """The work in a thread, and how far it is."""
 
@@ -53,6 +62,14 @@ def work(words: str, job: host.Work[Any]) -> Any:
 
 
 def _wait_in_sight(words: str, running: _Job) -> None:
+    _waited_for.append(running)
+    try:
+        _show_and_wait(words, running)
+    finally:
+        _waited_for.remove(running)
+
+
+def _show_and_wait(words: str, running: _Job) -> None:
     window = _window(words)
     while running.is_alive() and not running.unwanted.is_set():
         running.join(POLL_S)

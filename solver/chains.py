@@ -9,7 +9,7 @@ import numpy as np
 from .merging import are_among
 from .topology import Topology
 from .two_paths import pairs_of_runs, run_begins, two_paths
-from .values import IntArray
+from .values import IntArray, kept
 
 #: A tangle in which everything is joined to everything has more two-paths and closed chains than
 #: can be looked at; an object has a few for each edge.
@@ -27,10 +27,13 @@ class Chains:
 
 def chains(topology: Topology) -> Chains:
     """All closed chains of three and of four edges (of a tangle, as many as are allowed)."""
-    n, paths = (
-        len(topology.vertices),
-        two_paths(topology.ends, len(topology.vertices), MAX_TWO_PATHS),
-    )
+    return _chains(topology.ends, len(topology.vertices))
+
+
+@kept
+def _chains(ends: IntArray, n: int) -> Chains:
+    # Whatever is said of the edges, their chains stay.
+    paths = two_paths(ends, n, MAX_TWO_PATHS)
     # From the lower end to the higher one; two edges between the same vertices are no path.
     turned, proper = paths.a > paths.c, paths.a != paths.c
     low, high = np.minimum(paths.a, paths.c), np.maximum(paths.a, paths.c)
@@ -42,7 +45,7 @@ def chains(topology: Topology) -> Chains:
     last = np.flatnonzero(proper & (paths.middle > high))
     first = np.flatnonzero(proper & (low < paths.middle))
     return Chains(
-        _triangles(topology.ends, (low * n + high)[last], sides[last], n),
+        _triangles(ends, (low * n + high)[last], sides[last], n),
         _quadrilaterals((low * n + high)[first], sides[first]),
     )
 

@@ -85,9 +85,6 @@ class _Relations:
             self.perp[i].add(j)
             self.perp[j].add(i)
 
-    def are_perpendicular(self, i: int, j: int) -> bool:
-        return self.sets.find(j) in self.perp[self.sets.find(i)]
-
     @property
     def contradiction(self) -> bool:
         return any(i in others for i, others in self.perp.items())
@@ -154,27 +151,35 @@ def _close_around_pairs(relations: _Relations) -> None:
 
 def _close_plane(relations: _Relations, plane: tuple[int, ...]) -> None:
     """Rule 4, for the edges of one plane."""
-    classes = sorted({relations.sets.find(e) for e in plane})
+    find, perp = relations.sets.find, relations.perp
+    around = [find(e) for e in plane]
+    classes = sorted(set(around))
     if len(classes) < 2:
         return
-    _close_across(relations, classes)
-    classes = sorted({relations.sets.find(e) for e in plane})
+    if _close_across(relations, classes):
+        around = [find(e) for e in plane]
+        classes = sorted(set(around))
     # Two classes of one plane that are not known to be parallel span it: edges that meet do.
-    for first, second in _meeting_classes(relations, plane):
-        for normal in sorted(relations.perp[first] & relations.perp[second]):
+    for first, second in _meeting_classes(relations, around):
+        for normal in sorted(perp[first] & perp[second]):
             for c in classes:
-                relations.relate(c, normal)
+                if normal not in perp[c]:
+                    relations.relate(c, normal)
 
 
-def _close_across(relations: _Relations, classes: list[int]) -> None:
-    """In one plane, what is perpendicular to the same class is one class."""
-    inside = set(classes)
+def _close_across(relations: _Relations, classes: list[int]) -> bool:
+    """In one plane, what is perpendicular to one class is one class; whether some became so."""
+    inside, found = set(classes), False
     for third in classes:
         # Merging renames classes: the smallest name stays.
-        across = sorted(relations.perp[relations.sets.find(third)] & inside)
-        for other in across[1:]:
-            relations.merge(across[0], other)
-            inside.discard(other)
+        across = relations.perp[relations.sets.find(third)] & inside
+        if len(across) > 1:
+            found = True
+            least, *others = sorted(across)
+            for other in others:
+                relations.merge(least, other)
+                inside.discard(other)
+    return found
 
 
 def _close_ground(relations: _Relations, parts: list[tuple[int, ...]]) -> None:
@@ -197,21 +202,15 @@ def _close_ground(relations: _Relations, parts: list[tuple[int, ...]]) -> None:
             relations.relate(find(e), find(min(normals)))
 
 
-def _meeting_classes(relations: _Relations, plane: tuple[int, ...]) -> list[tuple[int, int]]:
+def _meeting_classes(relations: _Relations, around: list[int]) -> list[tuple[int, int]]:
     """Classes of neighbouring edges that surely bend: perpendicular, or no pieces of one side."""
-    around = [relations.sets.find(e) for e in plane]
-    pairs = {(around[k - 1], around[k]) for k in range(len(plane)) if around[k - 1] != around[k]}
-    # Pieces of one straight side may differ in class, but not in these.
-    bends = len(plane) == 3 or _has_parallel_sides(relations, plane)
-    return sorted(p for p in pairs if bends or relations.are_perpendicular(*p))
-
-
-def _has_parallel_sides(relations: _Relations, plane: tuple[int, ...]) -> bool:
-    """Whether this is a quadrilateral with two parallel sides; such a one lies in a plane."""
-    find = relations.sets.find
-    return len(plane) == 4 and (
-        find(plane[0]) == find(plane[2]) or find(plane[1]) == find(plane[3])
-    )
+    pairs = {(around[k - 1], around[k]) for k in range(len(around)) if around[k - 1] != around[k]}
+    # Pieces of one straight side may differ in class, but not in these: a quadrilateral with two
+    # parallel sides lies in a plane.
+    trapezium = len(around) == 4 and (around[0] == around[2] or around[1] == around[3])
+    if len(around) == 3 or trapezium:
+        return sorted(pairs)
+    return sorted((i, j) for i, j in pairs if j in relations.perp[i])
 
 
 def _parts_of_the_ground(topology: Topology) -> list[IntArray]:

@@ -81,15 +81,20 @@ def build_structure(
     """
     if annotations is None:
         topology = topology_of(graph)
-        directions = _kept_directions(topology)
-    else:
-        topology = topology_with(graph, annotations)
-        directions = direction_classes(topology)
-    lengths = _drawn_lengths(graph, topology)
-    axes = _choose_axes(lengths, directions)
+        axes = _axes(graph, topology, _kept_directions(topology))
+        return _kept_sharing(topology, _kept_directions(topology), *axes)
+    topology = topology_with(graph, annotations)
+    directions = direction_classes(topology)
+    return _share(topology, directions, *_axes(graph, topology, directions))
+
+
+def _axes(
+    graph: SketchGraph, topology: Topology, directions: Directions
+) -> tuple[tuple[int, ...], int | None]:
+    """The object axes, and that which is upright where circles need one."""
+    axes = _choose_axes(_drawn_lengths(graph, topology), directions)
     # Circles are horizontal: some axis must be vertical.
-    upright = _most_upright_axis(graph, topology, directions, axes) if graph.circles else None
-    return (_kept_sharing if annotations is None else _share)(topology, directions, axes, upright)
+    return axes, _most_upright_axis(graph, topology, directions, axes) if graph.circles else None
 
 
 @lru_cache(maxsize=MAX_KEPT)

@@ -122,7 +122,7 @@ def _outlines(
         outlines = partitioned(walls, outlines, len(made), plan, settings, names)
     outlines = trimmed(walls, outlines)
     whole = [
-        _whole(wall, without_slivers(outline, wall.thickness_mm, settings.kerf_mm))
+        _whole(wall, without_slivers(outline, wall.thickness_mm, settings.beam_mm))
         for wall, outline in zip(walls, outlines, strict=True)
     ]
     order = list(model.faces)
@@ -189,7 +189,7 @@ def _bands(
             continue
         one, two, edge = walls[w], walls[seam.other], edges[w][r][e]
         low, high = _run(key, seams, edges)
-        least = least_finger_mm(max(one.thickness_mm, two.thickness_mm), settings.kerf_mm)
+        least = least_finger_mm(max(one.thickness_mm, two.thickness_mm), settings.beam_mm)
         ends = one.in_world(np.array([edge.start, edge.start + edge.length * edge.along]))
         meeting = Meeting(
             "L",

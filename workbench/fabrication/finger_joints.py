@@ -42,7 +42,7 @@ def share_out(
     ----------
     walls : sequence of Wall
     settings : PlateSettings
-        `finger_mm`, `play_mm` and (for the narrowest finger) `kerf_mm` are used.
+        `finger_mm`, `play_mm` and (for the narrowest finger) `beam_mm` are used.
     plan : JointPlan or None
         Decides the joints, and knows them afterwards.
     edges : mapping of edge id to ends
@@ -57,7 +57,7 @@ def share_out(
     cells = Cells(walls)
     runs, claimed = meetings(cells)
     ranks = global_order(len(walls), runs)
-    joints = {run: _joint(run, walls, ranks, plan, settings.kerf_mm, edges or {}) for run in runs}
+    joints = {run: _joint(run, walls, ranks, plan, settings.beam_mm, edges or {}) for run in runs}
     owners = {run: _owner(run, ranks, joint) for run, joint in joints.items()}
     pieces = junction_pieces(cells, claimed, owners, ranks)
     for run, joint in joints.items():
@@ -166,7 +166,7 @@ def finger_borders(run: Run, thickness: float, settings: PlateSettings) -> list[
     Of a T that is too short for three fingers, one tab is left if it keeps one thickness of
     material at each end.
     """
-    least = least_finger_mm(thickness, settings.kerf_mm)
+    least = least_finger_mm(thickness, settings.beam_mm)
     return _borders(run, thickness, settings.finger_mm, least, "finger")
 
 

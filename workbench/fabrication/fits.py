@@ -72,7 +72,7 @@ def coupon(settings: PlateSettings) -> tuple[Plate, ...]:
     thickness = settings.thickness_mm
     width = max(
         settings.finger_mm,
-        least_finger_mm(thickness, settings.kerf_mm),
+        least_finger_mm(thickness, settings.beam_mm),
         text_width_mm("+0.05", _TEXT_MM),
     )
     step = 2 * width

@@ -83,7 +83,7 @@ def partitioned(
         Of all of them; a partition's as it was drawn.
     plan : JointPlan
     settings : PlateSettings
-        The kerf is used, for the narrowest tab.
+        The beam is used, for the narrowest tab.
     names : EdgeNames
         For the joints.
 
@@ -122,7 +122,7 @@ def _join(
     if walls[w].thickness_mm > 0:
         runs = _runs(contact, walls, outlines, bodies, taken)
         thickness = max(walls[p].thickness_mm, walls[w].thickness_mm)
-        least = least_finger_mm(thickness, settings.kerf_mm)
+        least = least_finger_mm(thickness, settings.beam_mm)
         longest = max((high - low for low, high in runs), default=0.0)
         shares = any(contact.is_partner(other) for other, _ in taken.tabs)
 

@@ -33,6 +33,8 @@ RELIEFS = ("none", "dogbone", "tbone")
 GRAINS = ("free", "x", "y")
 OPEN_ENDS = ("wider", "bottom", "top", "both", "none")
 
+#: Lasers cut no wider than this; fingers and slits of plates are made for it, mm.
+USUAL_BEAM_MM = 0.5
 #: Pages on which a PDF can be tiled.
 PAGES_MM = {"A4": (210.0, 297.0), "A3": (297.0, 420.0), "letter": (215.9, 279.4)}
 #: Sheets that shops and schools have, mm; the smallest that takes every plate is the default.
@@ -106,6 +108,11 @@ class PlateSettings:
         check_number("spacing", self.spacing_mm, 0.0, 500.0)
         for size in self.sheet_mm or ():
             check_number("sheet size", size, 10.0, 100000.0)
+
+    @property
+    def beam_mm(self) -> float:
+        """The widest beam that plates are made for: no laser's own kerf changes a plate."""
+        return max(self.kerf_mm, USUAL_BEAM_MM)
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,9 +12,8 @@ from __future__ import annotations
 
 import shapely
 
-#: A slit is made wider than the kerf by so much, and at least so wide, mm.
+#: A slit is made wider than the beam by so much, mm.
 SLIT_SPARE_MM = 0.05
-LEAST_SLIT_MM = 0.2
 #: Slivers are narrower than this part of the thickness, and than this, mm.
 SLIVER_SHARE, SLIVER_MM = 0.3, 1.0
 #: Corners sharper than about 6 degrees count as slivers or slits.
@@ -26,21 +25,21 @@ _ROUNDS = 4
 
 
 def without_slivers(
-    outline: shapely.Geometry, thickness_mm: float, kerf_mm: float
+    outline: shapely.Geometry, thickness_mm: float, beam_mm: float
 ) -> shapely.Geometry:
     """The outline less its slivers and what makes slits as wide as a beam.
 
     Parameters
     ----------
     outline : shapely Polygon or MultiPolygon
-    thickness_mm, kerf_mm : float
+    thickness_mm, beam_mm : float
 
     Returns
     -------
     shapely.Geometry
         Nothing is ever added, and all other borders stay to the last digit.
     """
-    half = max(kerf_mm + SLIT_SPARE_MM, LEAST_SLIT_MM) / 2
+    half = (beam_mm + SLIT_SPARE_MM) / 2
     for _ in range(_ROUNDS):
         slits = _parts(_there_and_back(outline, half).difference(outline), half**2 / 4)
         if not slits:

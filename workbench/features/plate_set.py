@@ -217,15 +217,8 @@ def _set_lines(obj: Any, name: str, lines: tuple[str, ...]) -> None:
         setattr(obj, name, list(said))
 
 
-def settings_of(obj: Any, *, with_kerf: bool = True) -> PlateSettings:
-    """What the object's properties say; raises FabricationError where that cannot be.
-
-    Parameters
-    ----------
-    obj : plate set
-    with_kerf : bool
-        False for the plates themselves, which have their finished sizes whatever the kerf.
-    """
+def settings_of(obj: Any) -> PlateSettings:
+    """What the object's properties say; raises FabricationError where that cannot be."""
     from ..fabrication.joints import JointChoice
     from ..fabrication.settings import PlateSettings
 
@@ -235,7 +228,7 @@ def settings_of(obj: Any, *, with_kerf: bool = True) -> PlateSettings:
         side=str(obj.Side),
         finger_mm=obj.FingerWidth.Value,
         play_mm=obj.Play.Value,
-        kerf_mm=obj.Kerf.Value if with_kerf else 0.0,
+        kerf_mm=obj.Kerf.Value,
         sheet_mm=(width, height) if width or height else None,
         margin_mm=obj.Margin.Value,
         spacing_mm=obj.Spacing.Value,
@@ -270,9 +263,8 @@ def effects_of(obj: Any) -> tuple[str, ...]:
 
 def joined_of(obj: Any) -> Joined:
     """The plates of a plate set and their joints; raises SketchError or FabricationError."""
-    settings_of(obj)  # a kerf out of range is said here, though no plate depends on it
-    text = driven_text(obj.LiftedModel)
-    return pipeline.joined_of(text, _geometry(settings_of(obj, with_kerf=False)))
+    geometry = _geometry(settings_of(obj))
+    return pipeline.joined_of(driven_text(obj.LiftedModel), geometry)
 
 
 def _geometry(settings: PlateSettings) -> PlateSettings:
@@ -282,6 +274,7 @@ def _geometry(settings: PlateSettings) -> PlateSettings:
     plain = Plain()
     return replace(
         settings,
+        kerf_mm=settings.beam_mm,
         sheet_mm=plain.sheet_mm,
         margin_mm=plain.margin_mm,
         spacing_mm=plain.spacing_mm,

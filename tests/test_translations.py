@@ -170,7 +170,7 @@ def test_what_errors_say_is_known_to_the_wording(folder, marked):
     [
         ("joints", ("why_no_fingers",)),
         ("assembly", ("words",)),
-        ("fits", ("effects",)),
+        ("fits", ("effects", "cutting_effects")),
         ("fit", ("words",)),
         ("standing", ("words",)),
         ("checking", ("lines",)),

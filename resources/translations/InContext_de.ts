@@ -4,6 +4,10 @@
 <context>
     <name>InContext</name>
     <message>
+        <source>, {0:.2f} for the stock</source>
+        <translation>, {0:.2f} für das Material</translation>
+    </message>
+    <message>
         <source>"makes" says neither plates nor print</source>
         <translation>"makes" nennt weder plates noch print</translation>
     </message>

@@ -4,6 +4,10 @@
 <context>
     <name>InContext</name>
     <message>
+        <source>, {0:.2f} for the stock</source>
+        <translation>、材料費 {0:.2f}</translation>
+    </message>
+    <message>
         <source>"makes" says neither plates nor print</source>
         <translation>"makes" が plates でも print でもありません</translation>
     </message>

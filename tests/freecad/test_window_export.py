@@ -31,6 +31,19 @@ def test_it_tells_the_length_of_the_cuts(dialog, shelf):
     words = " ".join(label.text() for label in dialog.findChildren(QtGui.QLabel))
     assert f"{total.cut_mm / 1000:.2f} m" in words
     assert f"6 plates on {len(sheets)} sheet" in words
+    assert "for the stock" not in words
+
+
+def test_it_tells_the_price_and_what_kerf_and_play_come_to(shelf, document):
+    plates = shelf[2]
+    plates.SheetPrice, plates.Kerf, plates.Play = 4.5, 0.2, 0.1
+    document.recompute()
+    shown = dialog_for(plates)
+    words = " ".join(label.text() for label in shown.findChildren(QtGui.QLabel))
+    shown.deleteLater()
+    assert f", {4.5 * len(sheets_of(plates)):.2f} for the stock" in words
+    assert "paths lie 0.1 mm outside" in words
+    assert "there are 0.05 mm on each side" in words
 
 
 def test_it_shows_each_plate_in_its_place(dialog):

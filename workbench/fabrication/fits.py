@@ -31,7 +31,7 @@ _TEXT_MM = 3.0
 def effects(settings: PlateSettings) -> tuple[str, ...]:
     """What the settings do to one finger and its notch, one line each."""
     finger, play, kerf = settings.finger_mm, settings.play_mm, settings.kerf_mm
-    lines = [
+    return (
         f"finger at a corner: {finger - play / 2:g} mm wide, "
         f"its cut path {finger - play / 2 + kerf:g} mm",
         f"notch at a corner: {finger + play / 2:g} mm wide, "
@@ -39,6 +39,14 @@ def effects(settings: PlateSettings) -> tuple[str, ...]:
         f"tab: {finger:g} mm wide, its cut path {finger + kerf:g} mm",
         f"slot: {finger + play:g} x {settings.thickness_mm + play:g} mm, "
         f"its cut path {finger + play - kerf:g} x {settings.thickness_mm + play - kerf:g} mm",
+        *cutting_effects(settings),
+    )
+
+
+def cutting_effects(settings: PlateSettings) -> tuple[str, ...]:
+    """What kerf, play and relief come to, one line each."""
+    play, kerf = settings.play_mm, settings.kerf_mm
+    lines = [
         f"kerf {kerf:g} mm: paths lie {kerf / 2:g} mm outside of outlines and inside of holes"
         if kerf
         else "kerf 0 mm: paths are the finished sizes; whoever cuts has to allow for the beam",

@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from ..wording import in_language
 from .exports import sheets_of
-from .plate_set import plates_of, shop_settings_of
+from .plate_set import plates_of, settings_of, shop_settings_of
 
 if TYPE_CHECKING:
     from ...solver.values import Array
@@ -28,6 +29,10 @@ class SheetPicture:
         The stock's sizes.
     n_plates : int
     cut_mm, time_s : float
+    price : float or None
+        Of all stock, where that of a sheet is known.
+    effects : tuple of str
+        What kerf, play and corner relief come to, in the person's language.
     """
 
     stock: tuple[tuple[float, float, float], ...]
@@ -36,6 +41,8 @@ class SheetPicture:
     n_plates: int
     cut_mm: float
     time_s: float
+    price: float | None = None
+    effects: tuple[str, ...] = ()
 
 
 def picture_of(plate_set: Any) -> SheetPicture:
@@ -47,6 +54,7 @@ def picture_of(plate_set: Any) -> SheetPicture:
         Where there are no plates, or they fit on no sheet.
     """
     from ..fabrication.drawing import GAP_MM, draw
+    from ..fabrication.fits import cutting_effects
     from ..fabrication.parts import parts_list
     from ..fabrication.presets import load_preset
 
@@ -64,4 +72,7 @@ def picture_of(plate_set: Any) -> SheetPicture:
     )
     sizes = {f"{s.width_mm:g} x {s.height_mm:g} x {s.thickness_mm:g} mm" for s in sheets}
     words = tuple(sorted(sizes))
-    return SheetPicture(tuple(stock), strokes, words, len(plates), total.cut_mm, total.time_s)
+    effects = tuple(map(in_language, cutting_effects(settings_of(plate_set))))
+    return SheetPicture(
+        tuple(stock), strokes, words, len(plates), total.cut_mm, total.time_s, total.price, effects
+    )

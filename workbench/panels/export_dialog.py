@@ -121,13 +121,16 @@ def ask_what_to_export(dialog: ExportDialog) -> Choice | None:
 
 
 def sheets_words(picture: SheetPicture) -> str:
-    """How many sheets of what, how long the cuts are, and about how long they take."""
+    """How many sheets of what, how long the cuts are and take, the price, and what is set."""
     words = host.translate(
         "InContext", "{0} plates on {1} sheets ({2}), {3:.2f} m of cuts, about {4} min"
     )
     minutes = max(1, round(picture.time_s / 60))
     stock, metres = ", ".join(picture.words), picture.cut_mm / 1000
-    return words.format(picture.n_plates, len(picture.stock), stock, metres, minutes)
+    said = words.format(picture.n_plates, len(picture.stock), stock, metres, minutes)
+    if picture.price is not None:
+        said += host.translate("InContext", ", {0:.2f} for the stock").format(picture.price)
+    return "\n".join([said, *picture.effects])
 
 
 def _box(ending: str, ticked: bool) -> QtGui.QCheckBox:

@@ -23,6 +23,7 @@ from pathlib import Path
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 sys.path.insert(0, str(Path(__file__).parent))
 
+import manifold3d as m3
 import numpy as np
 import shapely
 from fabrication import shapes, slanted
@@ -30,10 +31,18 @@ from fabrication.bodies import body, drawn_body, overlaps
 from scipy.spatial import HalfspaceIntersection
 
 from incontext.solver.model import Model
-from incontext.workbench.fabrication import FabricationError, PlateSettings, joined_plates
+from incontext.workbench.fabrication import (
+    FabricationError,
+    PlateSettings,
+    ShellSettings,
+    joined_plates,
+    shell_solid,
+)
 from incontext.workbench.fabrication.cut_paths import cut_path
 from incontext.workbench.fabrication.errors import SettingsError
+from incontext.workbench.fabrication.frame import newell
 from incontext.workbench.fabrication.marks import edge_marks
+from incontext.workbench.fabrication.meshes import mesh_of
 from incontext.workbench.fabrication.plates import Joined, Plate
 from incontext.workbench.fabrication.sheets import Sheet, lay_out
 
@@ -357,6 +366,60 @@ def in_words(error: FabricationError) -> bool:
     return "\n" not in text and "; try: " in text and where
 
 
+# Prints.
+
+
+def print_case(family: str, seed: int) -> tuple[Model, ShellSettings]:
+    """A shape of a family, and a wall for it."""
+    model, _ = case(family, seed)
+    rng = np.random.default_rng((77, seed))
+    size = float(np.ptp(np.array(list(model.vertices_mm.values())), axis=0).max())
+    wall = round(float(rng.uniform(0.004, 0.04)) * size, 3)
+    side = str(rng.choice(["inside", "outside", "middle"]))
+    return model, ShellSettings(wall_mm=wall, side=side, least_wall_mm=0.0)
+
+
+def broken_print(model: Model, settings: ShellSettings) -> Iterator[str]:
+    """Each law that a print breaks."""
+    solid = shell_solid(model, settings)
+    mesh = mesh_of(solid, settings.tolerance_mm)
+    body_ = m3.Manifold(m3.Mesh64(mesh.vertices_mm, mesh.triangles.astype(np.uint64)))
+    size = float(np.ptp(mesh.vertices_mm, axis=0).max())
+    low = mesh.vertices_mm.min(axis=0)
+    beside = m3.Manifold.cube([1.0] * 3).translate(low - 10.0)
+    # A boolean counts what lies in itself once only.
+    if abs((body_ + beside).volume() - 1.0 - body_.volume()) > 1e-6 * body_.volume() + 1e-9:
+        yield "the surface passes through itself"
+    if len(body_.decompose()) != 1 and not any(f.included for f in model.faces.values()):
+        yield "the print is in pieces"
+    drawn = drawn_body(model)
+    if drawn is None or settings.side == "middle":
+        return
+    wrong = body_ - drawn if settings.side == "inside" else body_ ^ drawn
+    if wrong.volume() > 1e-6 * size**3:
+        yield f"{wrong.volume():.3g} mm3 lie on the wrong side"
+    closed = all(face.included for face in model.faces.values())
+    hull = m3.Manifold.hull_points(np.array(list(model.vertices_mm.values())))
+    if closed and abs(hull.volume() - drawn.volume()) < 1e-9 * hull.volume():
+        yield from _of_convex_print(model, settings, body_.volume(), hull)
+
+
+def _of_convex_print(
+    model: Model, settings: ShellSettings, volume: float, hull: m3.Manifold
+) -> Iterator[str]:
+    """The wall of a convex body lies between two sets of half-spaces."""
+    move = -settings.wall_mm if settings.side == "inside" else settings.wall_mm
+    middle = np.mean(list(model.vertices_mm.values()), axis=0)
+    other = m3.Manifold.cube([1e5] * 3, center=True).translate(middle)
+    for face in model.faces.values():
+        normal = newell(face.loop_mm) / np.linalg.norm(newell(face.loop_mm))
+        normal = normal if normal @ (face.loop_mm[0] - middle) > 0 else -normal
+        other = other.trim_by_plane(-normal, float(-normal @ face.loop_mm[0]) - move)
+    wanted = abs(hull.volume() - other.volume())
+    if abs(volume - wanted) > 1e-5 * wanted:
+        yield f"the wall has {volume:.6g} mm3 instead of {wanted:.6g}"
+
+
 class _TooLongError(Exception):
     pass
 
@@ -365,14 +428,13 @@ def _alarm(*_: object) -> None:
     raise _TooLongError
 
 
-def outcome(family: str, seed: int) -> tuple[str, list[str]]:
+def outcome(family: str, seed: int, *, printed: bool) -> tuple[str, list[str]]:
     """What became of a case: made, or why refused; and which laws were broken."""
-    model, settings = case(family, seed)
     try:
-        joined = joined_plates(model, settings)
-        for plate in joined.plates:
-            body(plate)
-        return "made", list(broken(model, settings, joined))
+        if printed:
+            return "printed", list(broken_print(*print_case(family, seed)))
+        model, settings = case(family, seed)
+        return "made", list(broken(model, settings, joined_plates(model, settings)))
     except FabricationError as error:
         words = re.sub(r"\(.*?\)", "", re.sub(r"[\d.]+", "#", str(error)))
         words = re.sub(r"\b[a-z]+#(?:#)*\b", "@", words)
@@ -389,6 +451,7 @@ def main() -> int:
     parser.add_argument("--family", action="append", choices=list(FAMILIES))
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--count", type=int, default=20)
+    parser.add_argument("--prints", action="store_true", help="hollow solids instead of plates")
     parser.add_argument("--reasons", action="store_true", help="tell every refusal")
     arguments = parser.parse_args()
     signal.signal(signal.SIGALRM, _alarm)
@@ -398,13 +461,13 @@ def main() -> int:
         for seed in range(arguments.first, arguments.first + arguments.count):
             signal.alarm(MAX_SECONDS)
             start = time.perf_counter()
-            end, laws = outcome(family, seed)
+            end, laws = outcome(family, seed, printed=arguments.prints)
             signal.alarm(0)
             ends[end] += 1
             bad += bool(laws)
             for law in laws[:3]:
                 print(f"{family} {seed}: {law}", flush=True)
-            if arguments.reasons and end != "made":
+            if arguments.reasons and end not in ("made", "printed"):
                 print(f"{family} {seed}: {end}")
             if time.perf_counter() - start > 20:
                 print(f"{family} {seed}: {time.perf_counter() - start:.0f} s", flush=True)

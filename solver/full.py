@@ -84,6 +84,7 @@ class FullProblem:
         self._none_idle = problem.structure.has_axes and problem.camera is None
         self._block_places: dict[int, IntArray] = {}
         self._last: tuple[Pose, Seen] | None = None
+        self._last_supports: tuple[Pose, Support] | None = None
         self._last_normal: tuple[Pose, Array, Array] | None = None
         self._last_constraints: tuple[Pose, Array, Array] | None = None
 
@@ -251,6 +252,12 @@ class FullProblem:
         return self._last[1]
 
     def _supports(self, x: Pose) -> Support:
+        """The circles of a pose; the last ones are kept, for they are asked for again."""
+        if self._last_supports is None or self._last_supports[0] is not x:
+            self._last_supports = (x, self._supports_of(x))
+        return self._last_supports[1]
+
+    def _supports_of(self, x: Pose) -> Support:
         centres = self.positions(x)[self.n_vertices :] @ x.R.T
         radii = x.g[self.problem.structure.radius]
         vertical = self.problem.structure.vertical

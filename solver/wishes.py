@@ -25,7 +25,7 @@ from .blaming import HELD, is_settled
 from .diagnosis import freedoms, pose_near, without
 from .full import FullProblem, Pose
 from .graph import SketchGraph
-from .least_squares import Minimum
+from .least_squares import MAX_DENSE, Minimum
 from .lifting import Lifted, lift
 from .problem import build_problem
 from .structure import Structure, build_structure
@@ -115,8 +115,12 @@ def _gentlest_step(h: Array, H: Array, E: Array) -> Array:
     W = E.T @ E
     W[np.diag_indices(n)] += 1e-6 * float(np.diag(W).max(initial=1.0))
     slack = 1e-12 * float(np.abs(H).max(initial=1.0)) ** 2
+    right = np.concatenate([np.zeros(n), -h])
+    if n + k <= MAX_DENSE:
+        dense = np.block([[W, H.T], [H, -slack * np.eye(k)]])
+        return np.asarray(np.linalg.solve(dense, right)[:n])
     system = bmat([[csc_array(W), csc_array(H.T)], [csc_array(H), -slack * identity(k)]], "csc")
-    return np.asarray(splu(system).solve(np.concatenate([np.zeros(n), -h]))[:n])
+    return np.asarray(splu(system).solve(right)[:n])
 
 
 def _reference_size(full: FullProblem, x: Pose) -> tuple[float, Array]:

@@ -19,10 +19,14 @@ from fabrication.test_other_readers import (
     run,
 )
 from PIL import Image, ImageOps
+from tracing import with_block
 
 from incontext.solver import findings, load_sketch, solve
+from incontext.solver.model import build_model
+from incontext.workbench.checked import plates_check
 from incontext.workbench.cli import main
 from incontext.workbench.examples import EXAMPLES, load_example
+from incontext.workbench.fabrication import joined_plates
 from incontext.workbench.marker_sheet import marker_file
 
 FOLDER = Path(__file__).parent.parent / "resources" / "examples"
@@ -183,6 +187,58 @@ def test_bookshelf_has_the_books_proportions_without_any_camera():
     assert height / depth == pytest.approx(books["height_mm"] / books["depth_mm"], rel=0.05)
     assert height / width == pytest.approx(books["height_mm"] / books["width_mm"], rel=0.05)
     assert np.all([width, depth, height] > np.array([200.0, 170.0, 235.0]))
+
+
+def fit_of(graph, settings):
+    """What the product says of a thing traced in a sketch."""
+    solution = solve(graph)
+    model = build_model(solution, settings.thickness_mm)
+    (fit,) = plates_check(joined_plates(model, settings), model, graph, solution).fits
+    return fit
+
+
+@pytest.mark.parametrize("wider_mm", [0.0, 12.0])
+def test_true_books_fit_into_the_shelf_and_wider_ones_do_not(wider_mm):
+    """The clearance is what is left of the inside beside the true books."""
+    example = load_example("bookshelf")
+    graph, settings, books = (
+        load_sketch(example.sketch_path), example.plate_settings(), example.truth["books"],
+    )  # fmt: skip
+    t, beside = settings.thickness_mm, 2.0
+    width = books["width_mm"] + wider_mm
+    size = (width, books["depth_mm"], books["height_mm"])
+    fit = fit_of(with_block(graph, (t + beside, 0.0), size), settings)
+    # The shelf was told to be 210 mm wide.
+    left_over = 210.0 - 2 * t - beside - width
+    assert fit.fits == (left_over > 0)
+    if fit.fits:
+        assert fit.room_mm["right"] == pytest.approx(left_over, abs=0.05)
+        assert fit.room_mm["left"] == pytest.approx(beside, abs=0.05)
+        # They stand on the bottom, under the board, which has its face in its middle.
+        above = solve(graph).vertices_mm["v5"][2] - 1.5 * t - books["height_mm"]
+        assert fit.room_mm["up"] == pytest.approx(above, abs=0.05)
+        assert 0 < above < 10
+    else:
+        assert fit.overlaps[0].missing_mm == pytest.approx(-left_over, abs=0.3)
+
+
+def test_box_has_the_room_that_is_truly_left_around_it():
+    """Between the traced legs: their width was measured, their depth came out by itself."""
+    example = load_example("chair_box")
+    graph, settings, chair = (
+        load_sketch(example.sketch_path), example.plate_settings(), example.truth["chair"],
+    )  # fmt: skip
+    fit = fit_of(graph, settings)
+    assert fit.fits
+    X = solve(graph).vertices_mm
+    box = X["v3"] - X["v1"]
+    beside, behind = (
+        chair["legs_width_mm"] - box[0] - X["v1"][0],
+        chair["legs_depth_mm"] - box[1] - X["v1"][1],
+    )
+    assert fit.room_mm["right"] == pytest.approx(beside, abs=1.0)
+    # Within the 2 % by which the depth of the legs is missed.
+    assert fit.room_mm["back"] == pytest.approx(behind, abs=0.025 * chair["legs_depth_mm"])
 
 
 def test_lid_has_the_rims_diameter():

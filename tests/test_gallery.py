@@ -11,7 +11,14 @@ from incontext.workbench.examples import EXAMPLES, load_example
 from incontext.workbench.fabrication.rendering import Scene, View
 from incontext.workbench.gallery.lighting import lit
 from incontext.workbench.gallery.outcome import cut_length_mm, gestures, outcome
-from incontext.workbench.gallery.panels import HIGH_PX, panels, strip
+from incontext.workbench.gallery.panels import (
+    HIGH_PX,
+    SMALL_PX,
+    overview,
+    panels,
+    strip,
+    window_around,
+)
 from incontext.workbench.gallery.table import bench_lines, facts_lines
 
 DOCS = Path(__file__).parent.parent / "resources" / "docs"
@@ -94,13 +101,35 @@ def test_gestures_are_lines_clicks_and_faces():
 
 
 def test_bench_names_every_example_and_the_papers_users():
-    lines = list(bench_lines())
-    rows = [line for line in lines if not line.startswith(" ")][2:]
+    *lines, _, first, second = bench_lines()
+    assert "a marker of 100 mm" in first
+    assert float(second.split("at most ")[1].split()[0]) < 2
+    rows = [line for line in lines if not line.startswith(" ")][3:]
     assert [row.split()[0] for row in rows] == list(EXAMPLES)
     assert any("-8 to +4 %" in line for line in lines)
-    off = [float(line.split("%")[0].split()[-1]) for line in lines[2:]]
+    off = [float(line.split("%")[0].split()[-1]) for line in lines[3:]]
     assert max(map(abs, off[:2])) < 5
-    assert len(off) == len(lines) - 2
+    assert len(off) == len(lines) - 3
+
+
+def test_overview_shows_objects_in_rows():
+    page = overview([Image.new("RGB", (40, 30), "grey")] * 6)
+    assert page.width > 3 * SMALL_PX[0]
+    assert 2 * SMALL_PX[1] < page.height < 3 * SMALL_PX[1]
+    with Image.open(DOCS / "gallery" / "overview.jpg") as shown:
+        assert shown.size == page.size
+
+
+@pytest.mark.parametrize("middle", [(800, 600), (30, 40), (1590, 20), (900, 1190)])
+def test_close_up_is_a_part_of_the_photo_around_the_object(middle):
+    seen = np.array([[-60.0, -40], [60, 40]]) + middle
+    left, top, wide, high = window_around(seen, (1600, 1200))
+    assert min(left, top) >= 0
+    assert np.all(np.add((left, top), (wide, high)) <= (1600, 1200))
+    assert wide == pytest.approx(4 / 3 * high, rel=0.02)
+    inside = np.clip(seen, 0, (1600, 1200))
+    assert np.all(inside >= (left, top))
+    assert np.all(inside <= (left + wide, top + high))
 
 
 def test_gallery_in_the_repository_has_every_example():

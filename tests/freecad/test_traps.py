@@ -29,6 +29,13 @@ Qt 6 refuses 256 MB, bombs fill the machine    canvas/test_photo: fill the machi
 WebP and HEIC cannot be read                   canvas/test_photo: told with what would be
 FreeCAD 1.1 gives no label back                test_objects, by `make_photo_sketch(label=...)`
 `runCommand` of an inactive command            test_window_commands
+units in preferences are FreeCAD's             test_window_preferences: speaks inches
+edges are numbered anew                        test_stable_names; by hand on a page:
+                                               test_window_drawing
+1.x renames links as soon as a shape is new    test_stable_names, on FreeCAD 1.0 and 1.1
+documents from a stranger                      test_hostile_documents
+`Metadata` differs between versions            test_startup: reads every field
+STEP names objects, not solids                 test_exporting: the plates as solids
 =============================================  =================================================
 """
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import FreeCAD
 import FreeCADGui
 import pytest
 from PySide import QtGui
@@ -37,6 +38,32 @@ def test_the_page_begins_with_the_properties_own_values(page, shelf, document, c
         obj = shell if name == "Wall" else shelf[2]
         assert widget.property("rawValue") == getattr(obj, name).Value
     assert page.findChild(QtGui.QLineEdit, "valuePreset").text() == shelf[2].Preset
+
+
+#: FreeCAD's number for inches with decimals.
+INCHES, UNITS = 3, "User parameter:BaseApp/Preferences/Units"
+
+
+@pytest.fixture
+def inches():
+    """A person who works in inches."""
+    FreeCAD.Units.setSchema(INCHES)
+    yield
+    FreeCAD.Units.setSchema(FreeCAD.ParamGet(UNITS).GetInt("UserSchema", 0))
+
+
+def test_the_page_speaks_inches_where_freecad_does(inches, page, shelf):
+    for name in PREFERRED_LENGTHS:
+        widget = page.findChild(QtGui.QWidget, f"value{name}")
+        assert widget.property("text").endswith(('"', "in", "''")), name
+    thickness = page.findChild(QtGui.QWidget, "valueThickness")
+    # FreeCAD keeps what it shows, to as many decimals as its own preferences say: usually two.
+    assert thickness.property("rawValue") == pytest.approx(3, abs=0.005 * 25.4)
+    thickness.setProperty("rawValue", 3.175)
+    assert float(thickness.property("text").strip('" in')) == pytest.approx(0.125, abs=0.006)
+    # The objects' own sizes as well: they are lengths to FreeCAD.
+    said = shelf[2].Thickness.UserString
+    assert float(said.strip('" in')) == pytest.approx(3 / 25.4, abs=0.006)
 
 
 def test_new_objects_begin_with_what_is_preferred(shelf, document, chosen):

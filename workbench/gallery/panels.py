@@ -24,6 +24,10 @@ COLOURS = {
     "cardboard": ((201, 160, 112), (150, 112, 72)),
     "print": ((226, 221, 210), (226, 221, 210)),
 }
+#: Of one picture in the overview; and how much of the photo is seen around the object.
+SMALL_PX, ROOM = (400, 300), 1.9
+#: Left, top, width and height of a part of a photo, px.
+Window = tuple[int, int, int, int]
 _BESIDE = (-0.75, -0.85, -0.25)
 
 
@@ -94,25 +98,64 @@ def _alone(scene: Scene) -> Image.Image:
     return lit(scene, view, Image.new("RGB", size, PAPER), _BESIDE)
 
 
-def _in_place(made: Outcome, scene: Scene, photo: Image.Image) -> Image.Image:
-    """The object in the photo; what stands before it stays before it."""
+def _in_place(
+    made: Outcome, scene: Scene, photo: Image.Image, window: Window | None = None
+) -> Image.Image:
+    """The object in the photo, or a part of it; what stands before it stays before it."""
     camera = made.solution.camera
     assert camera is not None
-    share = HIGH_PX / photo.height
-    small = photo.resize((round(photo.width * share), HIGH_PX), Image.Resampling.LANCZOS)
+    u0, v0, wide, high = window or (0, 0, photo.width, photo.height)
+    share = HIGH_PX / high
+    part = photo.crop((u0, v0, u0 + wide, v0 + high))
+    small = part.resize((round(wide * share), HIGH_PX), Image.Resampling.LANCZOS)
     view = View(
         np.array(camera.position_mm),
         np.array(camera.rotation_cam_from_world),
         camera.focal_px * share,
-        np.array(camera.principal_point_px) * share,
+        (np.array(camera.principal_point_px) - (u0, v0)) * share,
     )
     found = lit(scene, view, small, made.example.light_in_cam)
     if made.example.in_front:
         mask = Image.new("L", small.size, 0)
         for ring in made.example.in_front:
-            ImageDraw.Draw(mask).polygon([(u * share, v * share) for u, v in ring], fill=255)
+            places = [((u - u0) * share, (v - v0) * share) for u, v in ring]
+            ImageDraw.Draw(mask).polygon(places, fill=255)
         found.paste(small, (0, 0), mask.filter(ImageFilter.GaussianBlur(0.6)))
     return found
+
+
+def close_up(made: Outcome) -> Image.Image:
+    """The object in its place, with some of what is around it."""
+    photo, _ = load_photo(made.graph, made.example.sketch_path)
+    assert photo is not None
+    assert made.solution.camera is not None
+    scene = _scene(made)
+    seen = made.solution.camera.project(scene.triangles_mm.reshape(-1, 3))
+    return _in_place(made, scene, photo, window_around(seen, photo.size))
+
+
+def window_around(seen: Array, size: tuple[int, int]) -> Window:
+    """A part of a photo, 4 by 3, around something in it: left, top, width, height."""
+    low, high = seen.min(axis=0), seen.max(axis=0)
+    across, down = (high - low).tolist()
+    tall = int(min(ROOM * max(down, 0.75 * across), size[1], 0.75 * size[0]))
+    wide = int(tall * 4 / 3)
+    u, v = ((low + high) / 2).tolist()
+    left = min(max(0, round(u - wide / 2)), size[0] - wide)
+    top = min(max(0, round(v - tall / 2)), size[1] - tall)
+    return left, top, wide, tall
+
+
+def overview(pictures: list[Image.Image], columns: int = 3) -> Image.Image:
+    """Pictures of one size in rows."""
+    wide, high = SMALL_PX
+    rows = -(-len(pictures) // columns)
+    size = (columns * (wide + GAP_PX) - GAP_PX, rows * (high + GAP_PX) - GAP_PX)
+    page = Image.new("RGB", size, "white")
+    for k, picture in enumerate(pictures):
+        small = picture.resize(SMALL_PX, Image.Resampling.LANCZOS)
+        page.paste(small, (k % columns * (wide + GAP_PX), k // columns * (high + GAP_PX)))
+    return page
 
 
 def _sheets(made: Outcome) -> Image.Image:

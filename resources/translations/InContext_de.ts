@@ -3025,5 +3025,17 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <source>Change method</source>
         <translation>Verfahren ändern</translation>
     </message>
+    <message>
+        <source>nothing is drawn yet</source>
+        <translation>noch ist nichts gezeichnet</translation>
+    </message>
+    <message>
+        <source>where these {0} faces meet in {1}, material cannot lie outside of them or in their middle: their planes, moved, meet in no point</source>
+        <translation>wo sich diese {0} Flächen in {1} treffen, kann kein Material außerhalb oder in ihrer Mitte liegen: ihre Ebenen treffen sich verschoben in keinem Punkt</translation>
+    </message>
+    <message>
+        <source>side inside, or one thickness for all of them</source>
+        <translation>Seite inside oder eine Dicke für alle</translation>
+    </message>
 </context>
 </TS>

@@ -3025,5 +3025,17 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <source>Change method</source>
         <translation>方法を変更</translation>
     </message>
+    <message>
+        <source>nothing is drawn yet</source>
+        <translation>まだ何も描かれていません</translation>
+    </message>
+    <message>
+        <source>where these {0} faces meet in {1}, material cannot lie outside of them or in their middle: their planes, moved, meet in no point</source>
+        <translation>{0} 枚の面が {1} で出会う所では、外側や中央に材料を置けません。ずらした面が一点で出会いません</translation>
+    </message>
+    <message>
+        <source>side inside, or one thickness for all of them</source>
+        <translation>side を inside にするか、厚さをそろえる</translation>
+    </message>
 </context>
 </TS>

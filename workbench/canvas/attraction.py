@@ -6,12 +6,14 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from .ground_grid import GroundGrid, ground_grid
+from .lifted import ring_mm
 from .photo_edges import Patch, photo_snap
 from .snapping import Snap, SnapKind
 
 if TYPE_CHECKING:
     from ...solver.camera import Camera
     from ...solver.graph import Point, SketchGraph
+    from ...solver.values import Array
     from .solved import Solved
 
 #: Places of their own, which come before guides.
@@ -22,6 +24,14 @@ LOOSE = (SnapKind.FREE, SnapKind.PARALLEL, SnapKind.VANISHING)
 
 def _no_patch(place_px: Point, reach_px: float) -> Patch | None:
     return None
+
+
+def _points_of(solved: Solved | None) -> list[Array]:
+    """What is drawn, in space: the grid is large enough for it."""
+    if solved is None:
+        return []
+    rings = (ring_mm(circle) for circle in solved.solution.circles.values())
+    return [*solved.solution.vertices_mm.values(), *(place for ring in rings for place in ring)]
 
 
 class Attraction:
@@ -45,8 +55,7 @@ class Attraction:
         if camera is None:
             return None
         if self._grid is None or self._grid[0] != (camera, solved):
-            points = [] if solved is None else list(solved.solution.vertices_mm.values())
-            self._grid = ((camera, solved), ground_grid(camera, points))
+            self._grid = ((camera, solved), ground_grid(camera, _points_of(solved)))
         return self._grid[1]
 
     def attract(self, found: Snap, reach_px: float, grid: GroundGrid | None) -> Snap:

@@ -32,10 +32,15 @@ class Lift(Command):
 
 
 def _lift_and_look(photo_sketch: Any) -> Any:
-    """The lifted model of a photo sketch, seen from where the photo was taken."""
+    """The lifted model of a photo sketch, beside its tab, seen from where the photo was taken."""
+    from ..panels.open_tabs import active_tab
+    from ..panels.tiling import show_side_by_side
     from ..panels.view_3d import look_from_the_camera
 
-    model = lift(photo_sketch)
+    model, front = lift(photo_sketch), active_tab()
+    if front is not None and front.obj is photo_sketch:
+        # Else a tab as large as the window hides what has just been made.
+        show_side_by_side(front)
     reveal(model.Document)
     if not model.Shape.isNull():
         look_from_the_camera(model)

@@ -47,9 +47,12 @@ class PhotoSketch(Proxy):
         except known_problems() as error:
             fail(obj, "unreadable", in_words(error))
             return
-        counts = host.translate("InContext", "{} vertices, {} edges, {} annotations")
-        words = counts.format(len(graph.vertices), len(graph.edges), len(graph.annotations))
-        set_outcome(obj, "ready", words)
+        if graph.vertices or graph.circles:
+            words = host.translate("InContext", "{} vertices, {} edges, {} annotations")
+            counts = (len(graph.vertices), len(graph.edges), len(graph.annotations))
+            set_outcome(obj, "ready", words.format(*counts))
+        else:
+            set_outcome(obj, "ready", host.translate("InContext", "nothing is drawn yet"))
 
 
 def make_photo_sketch(

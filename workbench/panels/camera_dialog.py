@@ -13,7 +13,8 @@ from ..features.known_rectangle import rectangle_of
 from ..features.photo_camera import PhotoCamera
 from ..problems import in_words, known_problems
 from .asking import shown
-from .messages import busy, tell
+from .messages import tell
+from .waiting import busy
 
 if TYPE_CHECKING:
     from ...solver.perspective.cropping import ViewMiddle

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from .blas_threads import one_blas_thread
 from .full import FocalPrior, FullProblem, Pose
 from .graph import SketchGraph
-from .leaning import can_lean, leaning_problem, noise_beside_lean
+from .leaning import LeaningHand, can_lean, leaning_problem, shown_hand
 from .least_squares import minimise
 from .lifting import is_unsure_of_focal, told_focal
 from .on_found_faces import listing_named_faces
@@ -48,7 +48,7 @@ class Drag:
     _prior: FocalPrior | None = None
     _expected: FocalPrior | None = None
     _spare: int | None = None
-    _lean_noise: float | None = None
+    _hand: LeaningHand | None = None
 
 
 def begin_drag(graph: SketchGraph, solution: Solution | None = None) -> Drag:
@@ -77,9 +77,9 @@ def _begun(graph: SketchGraph, solution: Solution) -> Drag:
     if pose is None:
         return idle
     prior = told_focal(problem)
-    noise = noise_beside_lean(problem, prior, pose) if can_lean(problem) else None
-    if noise is not None:
-        return replace(idle, _structure=structure, _pose=pose, _prior=prior, _lean_noise=noise)
+    hand = shown_hand(problem, prior, pose) if can_lean(problem) else None
+    if hand is not None:
+        return replace(idle, _structure=structure, _pose=pose, _prior=prior, _hand=hand)
     if problem.camera is None and prior is None:
         full = FullProblem(problem, None)
         expected = USUAL if is_unsure_of_focal(full, pose) else None
@@ -111,8 +111,8 @@ def _moved(last: Drag, structure: Structure, pose: Pose, graph: SketchGraph) -> 
     core = without_profiles(listing_named_faces(graph, last.solution.faces))
     problem = build_problem(core, structure)
     full = FullProblem(problem, last._prior)
-    if last._lean_noise is not None:
-        full = leaning_problem(problem, last._prior, last._lean_noise)
+    if last._hand is not None:
+        full = leaning_problem(problem, last._prior, last._hand)
     weighed = last._spare is not None
     x = minimise(full, pose, max_iterations=ITERATIONS - weighed, near=True).x
     prior = last._prior

@@ -40,6 +40,8 @@ from .world import camera_above_ground
 
 #: How far directions lean (3 to 10 degrees, by component) and how far lengths are off, rad, parts.
 LEAN_SIGMA, LENGTH_SIGMA = 0.08, 0.03
+#: The same may be smaller, in these parts: a slight lean must not move the shape much.
+SCALES = np.array([1.0, 0.5, 0.25, 0.125])
 #: How well ends meet (RMS of a vertex, in parts of the drawing's diagonal), and how sure that is
 #: (standard deviation of the logarithm).
 ENDS_RMS, ENDS_LOG_SIGMA = 0.006, 0.8
@@ -57,6 +59,22 @@ ENOUGH = 1e-7
 UNFELT = 1e-4
 
 
+@dataclass(frozen=True, slots=True)
+class LeaningHand:
+    """How a drawing that leans was drawn.
+
+    Parameters
+    ----------
+    noise : float
+        Standard deviation of a drawn coordinate, image units: how exactly ends meet.
+    scale : float
+        How far it leans, in parts of what is usual.
+    """
+
+    noise: float
+    scale: float = 1.0
+
+
 class LeaningProblem(FullProblem):
     """The full step by the marginal misfit of what is imagined; what is traced does not lean.
 
@@ -64,19 +82,18 @@ class LeaningProblem(FullProblem):
     ----------
     problem : Problem
     prior : FocalPrior or None
-    noise : float
-        Standard deviation of a drawn coordinate, image units.
+    hand : LeaningHand
     """
 
-    def __init__(self, problem: Problem, prior: FocalPrior | None, noise: float) -> None:
+    def __init__(self, problem: Problem, prior: FocalPrior | None, hand: LeaningHand) -> None:
         super().__init__(problem, prior)
-        self.noise = noise
-        self._precision = np.diag((noise / _lean_sigmas()) ** 2)
+        self.hand = hand
+        self._precision = np.diag((hand.noise / (hand.scale * _lean_sigmas())) ** 2)
         self._imagined = (problem.weights <= 1.0).astype(float)
 
     def weighed_as(self, problem: Problem) -> LeaningProblem:
         """The same with the weights of another problem."""
-        return LeaningProblem(problem, self.prior, self.noise)
+        return LeaningProblem(problem, self.prior, self.hand)
 
     def by_lean(self, x: Pose, rows: Array) -> Array:
         """Derivatives of r by the nine numbers of E, (9, 2 n), from `FullProblem`'s rows."""
@@ -149,17 +166,18 @@ class _Evidence:
     rest: float
     n_rest: int
 
-    def log_odds(self, noises: Array) -> tuple[float, float]:
-        """Of a lean against none, each with its likeliest noise; and the noise beside a lean."""
+    def log_odds(self, noises: Array) -> tuple[float, LeaningHand]:
+        """Of a lean against none, each with its likeliest noise; and the likeliest hand."""
         usual = ENDS_RMS * noises[-1] / NOISES[-1]
         prior = -0.5 * (np.log(noises / usual) / ENDS_LOG_SIGMA) ** 2
         prior -= 0.5 * (2 * self.n_rest * np.log(noises) + self.rest / noises**2)
-        plain = np.broadcast_to(noises[:, None] ** 2, (len(noises), len(self.squares)))
-        leaning = plain + self.variances
-        without, with_ = (
-            prior - 0.5 * (np.log(v) + self.squares / v).sum(axis=1) for v in (plain, leaning)
-        )
-        return float(with_.max() - without.max()), float(noises[int(with_.argmax())])
+        scales = np.append(SCALES, 0.0)
+        v = noises[:, None] ** 2 + scales[:, None, None] ** 2 * self.variances
+        likely = prior - 0.5 * (np.log(v) + self.squares / v).sum(axis=2)
+        best = likely.max(axis=1)
+        k = int(best[:-1].argmax())
+        odds = float(best[k] - best[-1])
+        return odds, LeaningHand(float(noises[int(likely[k].argmax())]), float(scales[k]))
 
 
 def as_leaning(graph: SketchGraph, lifted: Lifted, stop: Stop) -> Lifted | None:
@@ -171,13 +189,13 @@ def as_leaning(graph: SketchGraph, lifted: Lifted, stop: Stop) -> Lifted | None:
     x, iterations = last.x, last.iterations
     if lifted.doubtful or not last.converged:
         # Far from all shapes only the one with a lean is a place to look around from.
-        full = leaning_problem(lifted.problem, told, _usual_noise(lifted.problem))
+        full = leaning_problem(lifted.problem, told, _usual_hand(lifted.problem))
         begun = minimise(full, x, max_iterations=MAX_ITERATIONS, enough=1e-3, near=True, stop=stop)
         x, iterations = begun.x, iterations + begun.iterations
-    noise = noise_beside_lean(lifted.problem, told, x)
-    if noise is None:
+    hand = shown_hand(lifted.problem, told, x)
+    if hand is None:
         return None
-    found = _leaned(graph, leaning_problem(lifted.problem, told, noise), x, stop)
+    found = _leaned(graph, leaning_problem(lifted.problem, told, hand), x, stop)
     if found is None or found.above < lifted.above:
         return None
     iterations += found.minimum.iterations
@@ -197,10 +215,10 @@ def as_leaning_near(
     if x is None:
         return None
     told = told_focal(problem)
-    noise = noise_beside_lean(problem, told, x)
-    if noise is None:
+    hand = shown_hand(problem, told, x)
+    if hand is None:
         return None
-    found = _leaned(graph, leaning_problem(problem, told, noise), x, stop)
+    found = _leaned(graph, leaning_problem(problem, told, hand), x, stop)
     return found if found is not None and found.above else None
 
 
@@ -216,8 +234,8 @@ def can_lean(problem: Problem) -> bool:
     return problem.structure.has_axes and not len(problem.circles) and len(problem.points) > 0
 
 
-def noise_beside_lean(problem: Problem, told: FocalPrior | None, x: Pose) -> float | None:
-    """How exactly ends meet in a drawing that leans, image units; None where none is shown.
+def shown_hand(problem: Problem, told: FocalPrior | None, x: Pose) -> LeaningHand | None:
+    """How a drawing that leans was drawn; None where it shows no lean.
 
     Parameters
     ----------
@@ -230,20 +248,21 @@ def noise_beside_lean(problem: Problem, told: FocalPrior | None, x: Pose) -> flo
     problem = _as_drawn(problem)
     noises = NOISES * drawn_diagonal(problem) / math.sqrt(2)
     plain = FullProblem(problem, told)
-    odds, noise = LeaningProblem(problem, told, 1.0).evidence(plain, x).log_odds(noises)
-    return noise if odds >= PLAIN_ODDS else None
+    probe = LeaningProblem(problem, told, LeaningHand(1.0))
+    odds, hand = probe.evidence(plain, x).log_odds(noises)
+    return hand if odds >= PLAIN_ODDS else None
 
 
-def leaning_problem(problem: Problem, told: FocalPrior | None, noise: float) -> LeaningProblem:
-    """The full step with a lean beside so much noise; the usual focal length is expected."""
+def leaning_problem(problem: Problem, told: FocalPrior | None, hand: LeaningHand) -> LeaningProblem:
+    """The full step for what such a hand drew; the usual focal length is expected."""
     prior = None if problem.camera is not None else told or USUAL
     if prior is not None:
-        prior = replace(prior, sigma=prior.sigma * DRAWING_SIGMA / noise)
-    return LeaningProblem(_as_drawn(problem), prior, noise)
+        prior = replace(prior, sigma=prior.sigma * DRAWING_SIGMA / hand.noise)
+    return LeaningProblem(_as_drawn(problem), prior, hand)
 
 
-def _usual_noise(problem: Problem) -> float:
-    return ENDS_RMS * drawn_diagonal(problem) / math.sqrt(2)
+def _usual_hand(problem: Problem) -> LeaningHand:
+    return LeaningHand(ENDS_RMS * drawn_diagonal(problem) / math.sqrt(2))
 
 
 def leaning_reading(graph: SketchGraph, leaning: Lifted, without: Lifted) -> Reading:

@@ -4,9 +4,21 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scenes import bookshelf, box, hexagonal_box, house, l_shape, organizer, staircase, v, wedge
+from scenes import (
+    bookshelf,
+    box,
+    hexagonal_box,
+    house,
+    l_shape,
+    organizer,
+    photograph,
+    staircase,
+    v,
+    wedge,
+)
 from scipy.spatial.transform import Rotation
 
+from incontext.solver import faces, solve
 from incontext.solver.faces import find_faces
 
 
@@ -55,6 +67,16 @@ def test_a_window_is_a_hole_and_a_face():
     faces = list(find_faces(vertices, edges).values())
     assert [len(face.holes) for face in faces] == [1, 0]
     assert set(faces[0].holes[0]) == {"v4", "v5", "v6", "v7"}
+
+
+def test_a_solve_looks_for_faces_when_they_are_asked_for(monkeypatch):
+    looked = []
+    find = faces.find_faces
+    monkeypatch.setattr(faces, "find_faces", lambda *given: looked.append(1) or find(*given))
+    solution = solve(photograph(box(), np.random.default_rng(1)).graph)
+    assert not looked
+    assert len(solution.faces) == 6
+    assert len(looked) == 1
 
 
 def test_dead_ends_and_open_chains_are_no_faces():

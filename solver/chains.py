@@ -68,4 +68,6 @@ def _quadrilaterals(across: IntArray, sides: IntArray) -> IntArray:
     begins = run_begins(order >> bits)
     i, j = pairs_of_runs(np.diff(begins, append=len(order)), MAX_QUADRILATERALS)
     sides = sides[order & ((1 << bits) - 1)]
-    return np.hstack([sides[i], sides[j, ::-1]])
+    # Two edges between the same vertices would make one with a side twice.
+    whole = np.flatnonzero((sides[i] != sides[j]).all(axis=1))
+    return np.hstack([sides[i[whole]], sides[j[whole], ::-1]])

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Protocol
 
 import numpy as np
@@ -133,9 +133,15 @@ def reading_of(graph: SketchGraph, lifted: Candidate) -> Reading:
 
 
 def drawing_rms(lifted: Candidate) -> float:
-    """How far a shape stays from the drawing, RMS in parts of its diagonal (`Reading.rms`)."""
+    """How far a shape stays from the drawing, RMS in parts of its diagonal.
+
+    All vertices count alike: what is traced weighs more in the solve, but is no farther off.
+    """
     full = lifted.full
     n = 2 * full.n_vertices + full.problem.circles.supports.size
+    if bool((full.problem.weights != 1.0).any()):
+        alike = np.ones(len(full.problem.weights))
+        full = FullProblem(replace(full.problem, weights=alike), None)
     misfit = full.with_prior(None).merit(lifted.minimum.x, spring_stiffness(full.problem))
     return math.sqrt(2 * misfit / max(1, n)) / drawn_diagonal(full.problem)
 
@@ -249,7 +255,7 @@ def _blame(
 
 def suspicion(graph: SketchGraph, lifted: Candidate, stop: Stop) -> Blame | None:
     """What to look at first where the drawing is grossly missed and nothing explains why."""
-    rms = reading_of(graph, lifted).rms
+    rms = drawing_rms(lifted)
     if rms <= GROSS_RMS:
         return None
     relaxed = relax(graph, lifted.problem, lifted.minimum.x, stop, lost=True)

@@ -148,7 +148,8 @@ def _drawn_positions(graph: SketchGraph) -> Array:
 def _weights(graph: SketchGraph) -> tuple[Array, float]:
     """Weights of the vertices, and the weight of what is traced.
 
-    It is the ratio of the two standard deviations where all edges of a vertex are traced, else 1.
+    It is the ratio of the two standard deviations where all edges of a vertex are traced, else 1;
+    where nothing is imagined, there is nothing to weigh it against.
     """
     if not graph.construction:
         return np.ones(len(graph.vertices)), 1.0
@@ -156,6 +157,8 @@ def _weights(graph: SketchGraph) -> tuple[Array, float]:
     traced = set(graph.construction)
     real = {v for id_, ends in graph.edges.items() if id_ in traced for v in ends}
     imagined = {v for id_, ends in graph.edges.items() if id_ not in traced for v in ends}
+    if not imagined and all(c in traced for c in graph.circles):
+        return np.ones(len(graph.vertices)), 1.0
     diagonal = float(np.linalg.norm(np.ptp(pixels, axis=0))) if len(pixels) else 0.0
     leaning = np.sqrt(max(1.0, len(imagined) / MANY_IMAGINED))
     ratio = max(1.0, float(leaning) * IMAGINED_SIGMA * diagonal / TRACED_SIGMA_PX)

@@ -268,7 +268,7 @@ def _lift_or_blame(
     blamed = None
     for lost in (False, True)[lifted.doubtful :]:
         blamed = blamed or find_blame(core, lifted, effort, lost=lost)
-    if blamed is None and reading_of(core, lifted).rms > GROSS_RMS:
+    if blamed is None and drawing_rms(lifted) > GROSS_RMS:
         afresh = partial(_lift_without, core, effort=effort)
         blamed = find_blame(core, lifted, effort, lost=True, afresh=afresh)
     if effort.stopped:

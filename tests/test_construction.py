@@ -6,9 +6,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from scenes import FAMILIES, Hand, box, l_shape, photograph, with_traced_box
+from scenes import FAMILIES, Hand, Views, box, l_shape, photograph, random_camera, with_traced_box
 
 from incontext.solver import solve
+from incontext.solver.annotations import Ground, Length, RightAngle
+from incontext.solver.graph import Photo, SketchGraph
 from incontext.solver.solution import Status
 from incontext.solver.structure import build_structure
 
@@ -78,3 +80,30 @@ def test_right_angles_that_hold_to_second_order_only_do_not_keep_it_from_ending(
     # It crept along for 200 iterations and several seconds, and then was called not converged.
     assert solution.status is Status.CONVERGED
     assert photo.error(solution.vertices_mm) < 0.01
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3, 5])
+def test_a_corner_traced_carelessly_is_no_contradiction(seed):
+    rng = np.random.default_rng(seed)
+    camera = random_camera(box(200, 300, 100), rng, Views())
+    corners = camera.project(np.array([[0, 0, 0], [200, 0, 0], [200, 300, 0], [0, 300, 0.0]]))
+    corners[2] += [4, -3]
+    edges = {f"e{k}": (f"v{k}", f"v{(k + 1) % 4}") for k in range(4)}
+    square = {f"r{k}": RightAngle(f"v{k}", (f"e{(k - 1) % 4}", f"e{k}")) for k in range(4)}
+    graph = SketchGraph(
+        photo=Photo(None, 1600, 1200, focal_px=camera.focal_px),
+        vertices={f"v{k}": (float(p[0]), float(p[1])) for k, p in enumerate(corners)},
+        edges=edges,
+        annotations={
+            **square,
+            "ground": Ground(("v0", "v1", "v2", "v3")),
+            "width": Length("e0", 200.0),
+            "depth": Length("e1", 300.0),
+        },
+        construction=tuple(edges),
+    )
+    solution = solve(graph)
+    assert solution.message == "Solved."
+    assert max(solution.report.reprojection_px.values()) < 5
+    for length in ("width", "depth"):
+        assert abs(solution.report.residuals[length].value) < 1e-6

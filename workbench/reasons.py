@@ -94,6 +94,8 @@ REASONS = (
     "the face has edges too short for material outside of it or in its middle: moved there, its "
     "outline crosses itself",
     "side inside, or thinner plates",
+    "no wall of {0} mm can be made around {1}, where edges look outwards and inwards",
+    "a solid print, no face left out, or plates",
     "a smaller kerf, or wider fingers",
     "the preset {} has no layers",
     "the preset {} names unknown layers",

@@ -2958,6 +2958,14 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>Seite inside oder dünnere Platten</translation>
     </message>
     <message>
+        <source>no wall of {0} mm can be made around {1}, where edges look outwards and inwards</source>
+        <translation>um {1} herum, wo Kanten nach außen und nach innen zeigen, geht keine Wand von {0} mm</translation>
+    </message>
+    <message>
+        <source>a solid print, no face left out, or plates</source>
+        <translation>ein voller Druck, keine weggelassene Fläche oder Platten</translation>
+    </message>
+    <message>
         <source>a smaller kerf, or wider fingers</source>
         <translation>eine kleinere Schnittfuge oder breitere Zinken</translation>
     </message>

@@ -2958,6 +2958,14 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>side を inside にするか、板を薄くする</translation>
     </message>
     <message>
+        <source>no wall of {0} mm can be made around {1}, where edges look outwards and inwards</source>
+        <translation>外向きと内向きの辺が集まる {1} の周りには {0} mm の壁を作れません</translation>
+    </message>
+    <message>
+        <source>a solid print, no face left out, or plates</source>
+        <translation>中空にせず印刷する、面を省かない、または板で作る</translation>
+    </message>
+    <message>
         <source>a smaller kerf, or wider fingers</source>
         <translation>切り幅を小さくするか、ほぞを広げる</translation>
     </message>

@@ -77,6 +77,22 @@ def moved_out(
     return result
 
 
+def mixed_vertices(
+    vertices: Mapping[str, Array],
+    loops: Mapping[str, Loops],
+    inwards: Mapping[str, Array],
+    moves: Mapping[str, float],
+) -> dict[str, list[str]]:
+    """The mixed vertices of faces, with the faces that meet there; see `moved_out`."""
+    found = {}
+    for v, faces in _faces_at(loops, inwards).items():
+        if _common_move(faces, inwards, moves) is None:
+            normals = np.array([-inwards[f] for f in faces])
+            if _sense(v, faces, vertices, loops, normals) == 0:
+                found[v] = faces
+    return found
+
+
 def _faces_at(loops: Mapping[str, Loops], shown: Mapping[str, Array]) -> dict[str, list[str]]:
     found: dict[str, list[str]] = {}
     for id_ in shown:

@@ -12,7 +12,7 @@ window
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, cast
 
 import numpy as np
@@ -20,8 +20,10 @@ import numpy as np
 from ...solver.model import Model
 from ...solver.values import Array
 from .errors import FabricationError
+from .offsetting import mixed_vertices
 from .polyhedra import Loop, Polyhedron, area_vector, polyhedron_of
 from .settings import ShellSettings
+from .sides import face_sides
 from .turned import turned_solid
 
 if TYPE_CHECKING:
@@ -59,11 +61,15 @@ def shell_solid(model: Model, settings: ShellSettings = _DEFAULTS) -> cq.Shape:
     windows = [id_ for id_ in body.openings if _is_window(body, id_)]
     mouths = [id_ for id_ in body.openings if id_ not in windows]
     wall = settings.wall_mm
+    mixed = _mixed(body)
+    if mixed and mouths:
+        # The kernel does not fail here, it falls.
+        raise _no_wall_around(mixed, wall)
     moves = {"inside": [-wall], "outside": [wall], "middle": [-wall / 2, wall / 2]}[settings.side]
     try:
         parts = [_hollow(block, body, mouths, move) for move in moves]
     except FabricationError as error:
-        raise _too_thick(body, wall) from error
+        raise (_no_wall_around(mixed, wall) if mixed else _too_thick(body, wall)) from error
     slabs = [_thick(body, loops, -wall / 2, wall / 2) for loops in body.partitions.values()]
     parts += [slab.intersect(block) for slab in slabs]
     solid = parts[0].fuse(*parts[1:]) if len(parts) > 1 else parts[0]
@@ -71,6 +77,25 @@ def shell_solid(model: Model, settings: ShellSettings = _DEFAULTS) -> cq.Shape:
         # Beyond the wall on both sides, but not further into the hollow than the wall is thick.
         solid = solid.cut(_thick(body, body.skin[id_], -wall, wall))
     return _one_solid(solid.clean() if len(parts) > 1 or windows else solid, block)
+
+
+def _mixed(body: Polyhedron) -> dict[str, list[str]]:
+    """Vertices where edges look outwards and inwards and the moved planes meet in no point."""
+    placed = {id_: tuple(map(body.points, loops)) for id_, loops in body.skin.items()}
+    sides = face_sides(placed, list(placed))
+    inwards = {id_: sides[id_] * _normal(loops[0]) for id_, loops in placed.items()}
+    moves = {id_: 0.0 if id_ in body.openings else 1.0 for id_ in body.skin}
+    return mixed_vertices(body.vertices_mm, body.skin, inwards, moves)
+
+
+def _no_wall_around(mixed: Mapping[str, Sequence[str]], wall: float) -> FabricationError:
+    vertex, faces = next(iter(mixed.items()))
+    return FabricationError(
+        f"no wall of {wall:g} mm can be made around {vertex}, where edges look outwards and "
+        "inwards",
+        faces,
+        "a solid print, no face left out, or plates",
+    )
 
 
 def _too_thick(body: Polyhedron, wall: float) -> FabricationError:

@@ -180,7 +180,10 @@ def _without_short(ring: Array) -> Array:
         tip = None
         if abs(cross) > 1e-9 * lengths[n - 1] * lengths[m]:
             share = float(ahead[n][0] * after[1] - ahead[n][1] * after[0]) / cross
-            tip = points[n] + share * before
+            met = points[n] + share * before
+            # Neither neighbour may turn back for it.
+            on = float((met - points[m]) @ after) / float(after @ after)
+            tip = met if share > -0.5 and on < 0.5 else None
         if tip is not None and np.hypot(*(tip - points[n])) < _FAR_TIP * LEAST_SEGMENT_MM:
             points = points.copy()
             points[n] = tip

@@ -234,8 +234,8 @@ def _blame(
     ids = tuple(id_ for id_, r in against if whole.information - r.information > fall / 2)
     px = drawn_diagonal(problem) * problem.px_per_unit
     missed = (
-        f"with it the drawing is missed by {whole.rms * px:.2g} px, "
-        f"without it by {best.rms * px:.2g} px"
+        f"with it the drawing is missed by {_few_digits(whole.rms * px)} px, "
+        f"without it by {_few_digits(best.rms * px)} px"
     )
     wish = isinstance(graph.annotations[ids[0]], Length | Diameter)
     if whole.converged and (wish or whole.rms < GROSS_RMS):
@@ -284,7 +284,8 @@ def blame_for_wishes(graph: SketchGraph, ids: tuple[str, ...], whole: Candidate)
     """What is said where sizes hold though the drawing shows others."""
     missed = reading_of(graph, whole).rms * drawn_diagonal(whole.problem)
     px = missed * whole.problem.px_per_unit
-    words = f"Solved, but {_or(ids)} contradicts the drawing, which is missed by {px:.2g} px."
+    missed_px = _few_digits(px)
+    words = f"Solved, but {_or(ids)} contradicts the drawing, which is missed by {missed_px} px."
     return Blame(ids, words, True, wished=True)
 
 
@@ -328,6 +329,11 @@ def _is_together(lifted: Candidate) -> bool:
     depth = lifted.full.positions(x) @ x.R[2]
     usual = float(np.median(depth)) if len(depth) else 1.0
     return bool((depth > usual / FLOWN).all() and (depth < usual * FLOWN).all())
+
+
+def _few_digits(px: float) -> str:
+    """As people read it: no more than a tenth of a pixel, no exponent."""
+    return f"{px:.0f}" if px >= 10 else f"{round(px, 1):g}"
 
 
 def _or(ids: tuple[str, ...]) -> str:

@@ -31,6 +31,9 @@ from .values import Array, IntArray
 EXIF_LOG_SIGMA = 0.01
 #: A person's drawing error in image units, against which priors are weighed.
 DRAWING_SIGMA = 0.005
+#: Newton steps onto the constraints: three will do, but where constraints are singular, as at
+#: right-angled shapes, each takes only half of the way.
+MAX_RESTORING = 16
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -352,7 +355,7 @@ class FullProblem:
             return x
         h, H = self.constraints(x)
         worst = float(np.abs(h).max(initial=0.0))
-        for _ in range(8):
+        for _ in range(MAX_RESTORING):
             if worst < 1e-15:
                 break
             dg = smallest_step(h, H[:, N_CAMERA:])

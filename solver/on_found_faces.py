@@ -15,7 +15,7 @@ from .errors import SketchError
 from .faces import find_faces
 from .graph import Face, SketchGraph
 from .ids import fresh_id
-from .solution import Solution
+from .solution import Solution, Status
 from .topology import topology_of
 
 #: Faces found by one pass, named in the next one, and so on: so many times.
@@ -65,8 +65,20 @@ def solve_on_found_faces(graph: SketchGraph, lift: Callable[[SketchGraph], Solut
     missing = [id_ for id_, a in said if a.face not in (listed.faces or {})]
     message = solution.message
     if missing and solution.vertices_mm:
-        message += f" No such face was found: {', '.join(missing[:4])}."
+        some = ", ".join(missing[:4])
+        solution = _conflicting(solution, missing)
+        words = f"No face was found for {some}: choose another one."
+        message = words if message == "Solved." else f"{words} {message}"
     return replace(solution, sketch=graph, message=message)
+
+
+def _conflicting(solution: Solution, ids: list[str]) -> Solution:
+    """What names a face that is not there does not hold."""
+    if solution.status is not Status.CONVERGED:
+        return solution
+    conflicts = (*ids, *solution.report.conflicts)
+    report = replace(solution.report, conflicts=conflicts)
+    return replace(solution, status=Status.CONFLICTING, report=report)
 
 
 def _found(graph: SketchGraph, solution: Solution) -> Faces:

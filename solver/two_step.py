@@ -72,6 +72,8 @@ from .world import ground_indices
 
 #: So many annotations are left out, at most, to show a shape where they clash.
 MAX_CULPRITS = 4
+#: Of more edges and annotations than these nobody draws, one is left out.
+MANY_SAID = 1500
 #: Vertices whose spread to the side is so small a part of that along are on one line.
 ON_A_LINE = 1e-6
 #: Said where somebody stopped it.
@@ -237,6 +239,8 @@ def _without_culprit(graph: SketchGraph, core: SketchGraph, effort: Effort) -> S
 def _several_culprits(core: SketchGraph, first: str, effort: Effort) -> list[str]:
     """More and more annotations taken away, until the rest agrees."""
     ids = [first]
+    if len(core.edges) + len(core.annotations) > MANY_SAID:
+        return ids
     while len(ids) < MAX_CULPRITS and disagree(without(core, *ids)) and not effort():
         ids.append(find_clash(without(core, *ids), effort).ids[0])
     return ids
@@ -371,6 +375,8 @@ def _describe(
         status = status if blamed.held else Status.CONFLICTING
     elif status is Status.NOT_CONVERGED:
         conflicts = ()
+    if status is not Status.UNDERDETERMINED:
+        message += _undirected(core)
     if lifted.focal_assumed and "focal length" not in message:
         message += UNTOLD_FOCAL
     return Solution(
@@ -395,6 +401,14 @@ def _describe(
             unsure=unsure,
         ),
     )
+
+
+def _undirected(core: SketchGraph) -> str:
+    """What is said where only sizes and the ground hold a shape: such shapes are seldom meant."""
+    corner = busiest_vertex(core)
+    if corner is None or core.circles or says_directions(core):
+        return ""
+    return f" Nothing is said to be square or parallel: begin with right angles at {corner}."
 
 
 def _is_expected(lifted: Lifted) -> bool:
@@ -440,16 +454,12 @@ def _verdict(
     *,
     wished: bool,
 ) -> tuple[Status, str]:
-    if conflicts and not lifted.minimum.converged:
+    if conflicts:
+        # That they clash would have been found: this is a search that failed.
         return (
             Status.NOT_CONVERGED,
             "No shape was found in which all annotations hold: mark more right angles, "
             f"parallels or ground vertices, or check {_and(conflicts[:4])}.",
-        )
-    if conflicts:
-        return (
-            Status.CONFLICTING,
-            f"{_and(conflicts[:4])} cannot hold together with the rest: check the worst first.",
         )
     if open_.count:
         return Status.UNDERDETERMINED, _what_would_help(core, lifted, open_)
@@ -472,8 +482,10 @@ def _verdict(
             "Solved, but a second shape, with near and far exchanged, fits as well: mark what "
             "stands on the ground, or ask for the twin.",
         )
-    if not lifted.above:
+    if not lifted.above and ground_indices(core):
         return (Status.CONVERGED, "Solved, but seen from below: check the ground vertices.")
+    if not lifted.above:
+        return (Status.CONVERGED, "Solved, but seen from below: mark what stands on the ground.")
     if lifted.as_guessed:
         return (
             Status.CONVERGED,

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from scenes import from_loops, photograph, v
+from scenes import box, from_loops, photograph, v
 
 from incontext.solver import begin_drag, drag, solve
 from incontext.solver.annotations import Ground, Length, OnFace, Parallel
@@ -61,8 +61,17 @@ def test_ids_of_faces_stay_and_new_faces_get_new_ones():
 
 def test_a_face_that_is_not_found_is_told():
     solution = solve(drawn(on=OnFace(v(8), "f99")))
-    assert "No such face was found: on." in solution.message
+    assert "No face was found for on: choose another one." in solution.message
+    assert solution.status is Status.UNDERDETERMINED
     assert "on" not in solution.report.residuals
+
+
+def test_a_face_that_is_not_found_is_no_success():
+    graph = photograph(box(), np.random.default_rng(0)).graph
+    solution = solve(replace(graph, annotations={**graph.annotations, "on": OnFace("v6", "f99")}))
+    assert solution.status is Status.CONFLICTING
+    assert solution.report.conflicts == ("on",)
+    assert solution.message == "No face was found for on: choose another one."
 
 
 def test_it_holds_while_a_vertex_is_dragged():

@@ -896,8 +896,8 @@
         <translation>Kein gerades Ding ist nachgezeichnet: Linien entlang gerader Dinge ziehen, nahe am Rand des Fotos, und zu Hilfsgeometrie machen (X).</translation>
     </message>
     <message>
-        <source>No such face was found: {}.</source>
-        <translation>Eine solche Fläche wurde nicht gefunden: {}.</translation>
+        <source>No face was found for {}: choose another one.</source>
+        <translation>Für {} wurde keine Fläche gefunden: bitte eine andere wählen.</translation>
     </message>
     <message>
         <source>Not now</source>
@@ -1174,6 +1174,14 @@
     <message>
         <source>Stopped before the end: this is as far as it came.</source>
         <translation>Vor dem Ende angehalten: so weit ist es gekommen.</translation>
+    </message>
+    <message>
+        <source>Solved, but seen from below: mark what stands on the ground.</source>
+        <translation>Gelöst, aber von unten gesehen: bitte markieren, was auf dem Boden steht.</translation>
+    </message>
+    <message>
+        <source>Nothing is said to be square or parallel: begin with right angles at {}.</source>
+        <translation>Nichts ist als rechtwinklig oder parallel angegeben: bitte mit rechten Winkeln an {} beginnen.</translation>
     </message>
     <message>
         <source>Solved, but seen from below: check the ground vertices.</source>
@@ -2048,10 +2056,6 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
     <message>
         <source>{} cannot all hold: take one of them away.</source>
         <translation>{} können nicht alle gelten: bitte eine davon wegnehmen.</translation>
-    </message>
-    <message>
-        <source>{} cannot hold together with the rest: check the worst first.</source>
-        <translation>{} passen nicht zum Rest: die schlimmste zuerst prüfen.</translation>
     </message>
     <message>
         <source>{} conditions on {} coordinates are left</source>

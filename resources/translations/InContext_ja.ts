@@ -896,8 +896,8 @@
         <translation>まっすぐな物がなぞられていません。写真の端に近いまっすぐな物に沿って線を引き、補助線（X）にしてください。</translation>
     </message>
     <message>
-        <source>No such face was found: {}.</source>
-        <translation>そのような面は見つかりません: {}。</translation>
+        <source>No face was found for {}: choose another one.</source>
+        <translation>{} の面が見つかりません。別の面を選んでください。</translation>
     </message>
     <message>
         <source>Not now</source>
@@ -1174,6 +1174,14 @@
     <message>
         <source>Stopped before the end: this is as far as it came.</source>
         <translation>途中で止めました。ここまでの結果です。</translation>
+    </message>
+    <message>
+        <source>Solved, but seen from below: mark what stands on the ground.</source>
+        <translation>解けましたが下から見ています。地面にあるものを指定してください。</translation>
+    </message>
+    <message>
+        <source>Nothing is said to be square or parallel: begin with right angles at {}.</source>
+        <translation>直角も平行も指定されていません。まず {} に直角を付けてください。</translation>
     </message>
     <message>
         <source>Solved, but seen from below: check the ground vertices.</source>
@@ -2048,10 +2056,6 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
     <message>
         <source>{} cannot all hold: take one of them away.</source>
         <translation>{} はすべて同時には成り立ちません。どれか一つを外してください。</translation>
-    </message>
-    <message>
-        <source>{} cannot hold together with the rest: check the worst first.</source>
-        <translation>{} は残りと両立しません。最も悪いものから確認してください。</translation>
     </message>
     <message>
         <source>{} conditions on {} coordinates are left</source>

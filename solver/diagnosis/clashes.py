@@ -68,7 +68,9 @@ def find_clash(graph: SketchGraph, stop: Stop | None = None) -> Clash:
     if not build_structure(graph).contradiction:
         # Of what is said of sizes the directions are not to blame.
         about_sizes = (Length, Diameter, EqualLength)
-        others = [k for k in others if isinstance(graph.annotations[k], about_sizes)]
+        sized = [k for k in others if isinstance(graph.annotations[k], about_sizes)]
+        # A search that grew tired may have found none.
+        others = others if not (sized or culprits) else sized
     return Clash(tuple(culprits), tuple(others))
 
 

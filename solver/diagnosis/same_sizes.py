@@ -42,7 +42,7 @@ def sizes_clash(
     if len({mm for _, mm in lengths}) < 2:
         return False
     same = _equally_long(topology, structure)
-    return _differ((same.find(topology.edges[e]), mm) for e, mm in lengths)
+    return _differ((same[topology.edges[e]], mm) for e, mm in lengths)
 
 
 def _differ(sizes: Iterable[tuple[object, float]]) -> bool:
@@ -54,17 +54,18 @@ def _differ(sizes: Iterable[tuple[object, float]]) -> bool:
     )
 
 
-def _equally_long(topology: Topology, structure: Structure) -> UnionFind:
-    """Edges that are equally long, as sets."""
-    same = UnionFind(len(topology.edges))
+def _equally_long(topology: Topology, structure: Structure) -> list[int]:
+    """A number for each edge, the same for edges that are equally long."""
+    n = len(topology.edges)
+    axis = structure.edge_axis
+    along = axis >= 0
+    joined = np.sort(structure.coordinate[topology.ends, axis[:, None]], axis=1)
+    names = np.where(along, joined @ (structure.n_coordinates, 1), -1 - np.arange(n))
+    _, part = np.unique(names, return_inverse=True)
+    part = part.reshape(-1)
+    same = UnionFind(n)
     for _, a in topology.by_kind["equal_length"]:
-        first, *others = (topology.edges[e] for e in a.edges)
+        first, *others = (int(part[topology.edges[e]]) for e in a.edges)
         for other in others:
             same.union(first, other)
-    along = np.flatnonzero(structure.edge_axis >= 0)
-    axis = structure.edge_axis[along]
-    joined = np.sort(structure.coordinate[topology.ends[along], axis[:, None]], axis=1)
-    first_with: dict[tuple[int, ...], int] = {}
-    for edge, pair in zip(along.tolist(), map(tuple, joined.tolist()), strict=True):
-        same.union(edge, first_with.setdefault(pair, edge))
-    return same
+    return [same.find(k) for k in part.tolist()]

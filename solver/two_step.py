@@ -16,7 +16,7 @@ from functools import partial
 
 import numpy as np
 
-from .annotations import Diameter, Length
+from .annotations import Diameter, EqualLength, Length
 from .blaming import (
     GROSS_RMS,
     MAX_COORDINATES,
@@ -454,8 +454,10 @@ def _verdict(
     *,
     wished: bool,
 ) -> tuple[Status, str]:
+    if conflicts and lifted.minimum.converged and _are_sizes(core, conflicts):
+        return Status.CONFLICTING, f"{_and(conflicts[:4])} cannot all hold: take one of them away."
     if conflicts:
-        # That they clash would have been found: this is a search that failed.
+        # That directions clash would have been found by reasoning: here a search failed.
         return (
             Status.NOT_CONVERGED,
             "No shape was found in which all annotations hold: mark more right angles, "
@@ -498,6 +500,11 @@ def _verdict(
             "Solved, with a usual focal length assumed: the drawing does not tell it.",
         )
     return (Status.CONVERGED, "Solved.")
+
+
+def _are_sizes(core: SketchGraph, ids: tuple[str, ...]) -> bool:
+    sizes = (Length, Diameter, EqualLength)
+    return len(ids) > 1 and all(isinstance(core.annotations[i], sizes) for i in ids)
 
 
 def _what_would_help(core: SketchGraph, lifted: Lifted, open_: Freedoms) -> str:

@@ -323,3 +323,8 @@ class _Planes:
         along = offset[b]
         c = int(np.argmax(np.abs(along[0] * offset[:, 1] - along[1] * offset[:, 0])))
         return (loop[0], loop[b], loop[c])
+
+
+def conditions_of(graph: SketchGraph, structure: Structure) -> int:
+    """How many conditions the shared coordinates still have to meet."""
+    return sum(len(block.items) for block in build_problem(graph, structure).blocks)

@@ -103,7 +103,14 @@ def sentences_of(path: Path) -> Iterator[str]:
 
 @pytest.mark.parametrize(
     "name",
-    ["two_step", "on_found_faces", "perspective/vanishing_points", "perspective/marker", "blaming"],
+    [
+        "two_step",
+        "telling",
+        "on_found_faces",
+        "perspective/vanishing_points",
+        "perspective/marker",
+        "blaming",
+    ],
 )
 def test_what_the_solver_says_of_a_sketch_is_known_to_the_wording(name, monkeypatch):
     from incontext.workbench import host

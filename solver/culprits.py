@@ -1,0 +1,169 @@
+"""The shape that all annotations and the drawing allow, or who is to blame that there is none."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from .annotations import Diameter, Length
+from .blaming import (
+    GROSS_RMS,
+    MAX_COORDINATES,
+    MAX_NUMBERS,
+    Blame,
+    blame_for_clash,
+    blame_for_wishes,
+    drawing_rms,
+    find_blame,
+    is_settled,
+    needs_a_closer_look,
+    reading_of,
+    suspicion,
+)
+from .diagnosis import (
+    Reading,
+    disagree,
+    find_clash,
+    without,
+)
+from .effort import Effort
+from .graph import SketchGraph
+from .leaning import as_leaning, leaning_reading
+from .lifting import Lifted, lift
+from .problem import conditions_of
+from .starting.rescuing import lift_as_guessed, rescued
+from .structure import Structure, build_structure
+from .values import Stop
+from .wishes import drawn_shape, fulfilled, wishes_of
+
+#: So many annotations are left out, at most, to show a shape where they clash.
+MAX_CULPRITS = 4
+#: Of more edges and annotations than these nobody draws, one is left out.
+MANY_SAID = 1500
+
+
+def lift_or_blame(
+    core: SketchGraph, structure: Structure, effort: Effort
+) -> tuple[Lifted | None, Blame | None]:
+    """The shape, or where an annotation contradicts the drawing grossly the shape without it."""
+    lifted = lift_as_guessed(core, structure, effort) or lift(core, structure, effort, wary=True)
+    if lifted is None or effort.stopped:
+        return lifted, None
+    lifted, leaning = _with_lean(core, structure, lifted, effort)
+    if effort.stopped or _is_fine(core, lifted):
+        return leaning or lifted, None
+    effort.doing("looking for annotations that disagree")
+    blamed = None
+    for lost in (False, True)[lifted.doubtful :]:
+        blamed = blamed or find_blame(core, lifted, effort, lost=lost)
+    if blamed is None and drawing_rms(lifted) > GROSS_RMS:
+        afresh = partial(_lift_without, core, effort=effort)
+        blamed = find_blame(core, lifted, effort, lost=True, afresh=afresh)
+    if effort.stopped:
+        return lifted, None
+    if leaning is not None and _explains(core, leaning, lifted, blamed):
+        return leaning, None
+    wished = _as_wished(core, structure, lifted, blamed, effort)
+    if wished is not None:
+        return wished
+    other = None
+    if effort.stopped:
+        return lifted, None
+    if blamed is not None and not blamed.held:
+        other = _lift_without(core, blamed.ids[0], effort=effort)
+    if other is not None and not other.doubtful:
+        return other, blamed
+    # What was found at first sight only is finished.
+    lifted = lift(core, structure, effort) if lifted.doubtful else lifted
+    if lifted is not None and not is_settled(lifted):
+        effort.doing("beginning from other shapes")
+        lifted = rescued(core, lifted, effort) or lifted
+    if lifted is not None and blamed is None and is_settled(lifted):
+        blamed = suspicion(core, lifted, effort)
+    return lifted, blamed
+
+
+def _with_lean(
+    core: SketchGraph, structure: Structure, lifted: Lifted, effort: Effort
+) -> tuple[Lifted, Lifted | None]:
+    """A reading, and the same with a lean where the drawing shows one."""
+    leaning = as_leaning(core, lifted, effort)
+    if leaning is None or not lifted.doubtful:
+        return lifted, leaning
+    # Only a first look was taken: the exact drawing of something else looks like a lean, too.
+    whole = lift(core, structure, effort)
+    if whole is None or not _is_fine(core, whole):
+        return lifted, leaning
+    return whole, as_leaning(core, whole, effort)
+
+
+def _explains(core: SketchGraph, leaning: Lifted, lifted: Lifted, blamed: Blame | None) -> bool:
+    """Whether a hand that leans explains the drawing better than a false annotation."""
+    found = leaning_reading(core, leaning, lifted)
+    return found.plausible and (blamed is None or found.information < blamed.information)
+
+
+def _as_wished(
+    core: SketchGraph, structure: Structure, lifted: Lifted, blamed: Blame | None, stop: Stop
+) -> tuple[Lifted, Blame] | None:
+    """The shape with the sizes that keep the drawing from being met, where there are such."""
+    if blamed is None and is_settled(lifted):
+        return None
+    several, first = wishes_of(core), blamed.ids[:1] if blamed is not None else ()
+    tries = (
+        [first] if all(isinstance(core.annotations[i], Length | Diameter) for i in first) else []
+    )
+    # One alone would have been blamed; several may hide behind each other.
+    tries += [several] if len(several) > 1 else []
+    for wishes in tries:
+        drawn = drawn_shape(core, wishes, stop) if wishes else None
+        found = None if drawn is None else fulfilled(core, structure, drawn, stop)
+        if found is not None:
+            ids = blamed.ids if blamed is not None and wishes == first else wishes
+            return found, blame_for_wishes(core, ids, found)
+    return None
+
+
+def _is_fine(core: SketchGraph, lifted: Lifted) -> bool:
+    return not lifted.doubtful and is_settled(lifted) and not needs_a_closer_look(core, lifted)
+
+
+def lift_without_culprit(core: SketchGraph, effort: Effort) -> tuple[Lifted | None, Blame]:
+    """The shape without the culprit, where annotations cannot all hold; none where it is lost."""
+    effort.doing("looking for annotations that disagree")
+    kept: dict[str, Lifted] = {}
+
+    def attempt(id_: str) -> Reading | None:
+        lifted = None if effort.stopped else _lift_without(core, id_, effort=effort)
+        if lifted is None or lifted.doubtful:
+            return None
+        kept[id_] = lifted
+        return reading_of(without(core, id_), lifted)
+
+    blamed = blame_for_clash(core, attempt, effort)
+    first = blamed.ids[0]
+    lifted = kept.get(first) or _lift_without(core, first, effort=effort)
+    if lifted is None and not effort.stopped:
+        lifted = _lift_without(core, *_several_culprits(core, first, effort), effort=effort)
+    return None if lifted is None or lifted.doubtful else lifted, blamed
+
+
+def _several_culprits(core: SketchGraph, first: str, effort: Effort) -> list[str]:
+    """More and more annotations taken away, until the rest agrees."""
+    ids = [first]
+    if len(core.edges) + len(core.annotations) > MANY_SAID:
+        return ids
+    while len(ids) < MAX_CULPRITS and disagree(without(core, *ids)) and not effort():
+        ids.append(find_clash(without(core, *ids), effort).ids[0])
+    return ids
+
+
+def _lift_without(core: SketchGraph, *ids: str, effort: Effort) -> Lifted | None:
+    rest = without(core, *ids)
+    structure = build_structure(rest)
+    if disagree(rest) or structure.n_coordinates > MAX_COORDINATES:
+        return None
+    conditions = conditions_of(rest, structure)
+    if conditions * structure.n_coordinates > MAX_NUMBERS:
+        return None
+    effort.weigh(structure.n_coordinates + conditions)
+    return lift(rest, structure, effort, wary=True)

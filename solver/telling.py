@@ -1,0 +1,284 @@
+"""What a solve came to, told: the solution with its status, its message and its report."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from .annotations import Diameter, EqualLength, Length
+from .blaming import (
+    GROSS_RMS,
+    Blame,
+    drawing_rms,
+    drawn_diagonal,
+)
+from .camera import Camera
+from .circles import flat_circles
+from .diagnosis import (
+    UNSURE_SIZE_SIGMA,
+    Freedoms,
+    busiest_vertex,
+    freedoms,
+    most_helpful_corner,
+    says_directions,
+    size_of,
+    standard_errors,
+    unmet_annotations,
+)
+from .errors import SketchError
+from .faces import awaited_faces
+from .graph import SketchGraph
+from .lifting import UNSURE_FOCAL_SIGMA, Lifted
+from .placed import put_in_world
+from .residuals import annotation_residuals
+from .solution import Report, Solution, Status
+from .symmetry import Geometry, mirrored
+from .values import Array, rows_of
+from .world import ground_indices
+
+#: Vertices whose spread to the side is so small a part of that along are on one line.
+ON_A_LINE = 1e-6
+#: Said where the standard errors of sizes are large.
+UNSURE = " Its sizes are unsure: mark more, give a length, or trace something real in the photo."
+#: Said where the drawing does not tell the focal length, and something else is said first.
+UNTOLD_FOCAL = " The drawing does not tell the focal length: a usual one is assumed."
+#: A camera this part of its height off is worth a word.
+NEARLY_AGREE = 1e-3
+#: A drawing further than this from every shape (image units, RMS) was not understood.
+LOST_MISFIT = 0.25
+
+
+def describe(
+    graph: SketchGraph, core: SketchGraph, lifted: Lifted, blamed: Blame | None = None
+) -> Solution:
+    """The solution that a lifted shape is.
+
+    Parameters
+    ----------
+    graph : SketchGraph
+        As it was drawn.
+    core : SketchGraph
+        Without the profiles of surfaces of revolution: what was lifted.
+    lifted : Lifted
+    blamed : Blame, optional
+        What keeps annotations and drawing apart.
+    """
+    pose = lifted.minimum.x
+    placed = put_in_world(graph, core, lifted.problem, pose)
+    vertices, circles = placed.vertices, placed.circles
+    geometry, on_faces = _with_copies(graph, vertices)
+    residuals = annotation_residuals(graph, geometry.vertices, geometry.faces, circles)
+    wished = blamed is not None and blamed.wished
+    # Away from the drawing its slopes tell nothing; before the wish nothing was left open.
+    found = freedoms(lifted.full, pose, [*core.vertices, *core.circles])
+    open_ = Freedoms.none() if wished else found
+    extent = rows_of(vertices)
+    if circles:
+        extent = np.vstack([extent, *(c.center_mm for c in circles.values())])
+    conflicts = unmet_annotations(residuals, size_of(extent))
+    errors = None if open_.count else standard_errors(lifted.full, pose)
+    sigmas = np.zeros(0) if errors is None else errors.lengths
+    if errors is not None and errors.log_focal > UNSURE_FOCAL_SIGMA:
+        lifted = replace(lifted, focal_assumed=_is_expected(lifted))
+    unsure = bool(np.sqrt(np.mean(sigmas**2)) > UNSURE_SIZE_SIGMA) if len(sigmas) else False
+    status, message = _verdict(core, lifted, open_, conflicts, wished=wished)
+    if status is Status.CONVERGED and unsure:
+        message += UNSURE
+    if status is Status.CONVERGED and core.camera is not None:
+        message += _off_camera(placed.camera_off_mm, core.camera)
+    if blamed is not None:
+        conflicts, message = blamed.ids, blamed.message
+        status = status if blamed.held else Status.CONFLICTING
+    elif status is Status.NOT_CONVERGED:
+        conflicts = ()
+    if status is not Status.UNDERDETERMINED:
+        message += _undirected(core)
+    if lifted.focal_assumed and "focal length" not in message:
+        message += UNTOLD_FOCAL
+    return Solution(
+        graph,
+        status,
+        message + on_faces,
+        geometry.vertices,
+        geometry.edges,
+        geometry.faces,
+        circles,
+        placed.camera,
+        placed.scale_assumed,
+        Report(
+            degrees_of_freedom=open_.count,
+            loose=open_.loose,
+            residuals=residuals,
+            reprojection_px=placed.reprojection_px(graph),
+            conflicts=conflicts,
+            iterations=lifted.minimum.iterations,
+            focal_assumed=lifted.focal_assumed,
+            size_sigma=dict(zip(core.edges, sigmas.tolist(), strict=False)),
+            unsure=unsure,
+        ),
+    )
+
+
+def _verdict(
+    core: SketchGraph,
+    lifted: Lifted,
+    open_: Freedoms,
+    conflicts: tuple[str, ...],
+    *,
+    wished: bool,
+) -> tuple[Status, str]:
+    if conflicts and lifted.minimum.converged and _are_sizes(core, conflicts):
+        return Status.CONFLICTING, f"{_and(conflicts[:4])} cannot all hold: take one of them away."
+    if conflicts:
+        # That directions clash would have been found by reasoning: here a search failed.
+        return (
+            Status.NOT_CONVERGED,
+            "No shape was found in which all annotations hold: mark more right angles, "
+            f"parallels or ground vertices, or check {_and(conflicts[:4])}.",
+        )
+    if open_.count:
+        return Status.UNDERDETERMINED, _what_would_help(core, lifted, open_)
+    misfit = float(np.sqrt(lifted.minimum.cost / max(1, len(lifted.full.coordinate))))
+    if not lifted.minimum.converged or (misfit > LOST_MISFIT and not wished):
+        return (
+            Status.NOT_CONVERGED,
+            "The drawing and the annotations are too far apart: check the annotations.",
+        )
+    rms = drawing_rms(lifted)
+    if rms > GROSS_RMS:
+        px = rms * drawn_diagonal(lifted.problem) * lifted.problem.px_per_unit
+        return (
+            Status.CONVERGED,
+            f"Solved, but the drawing is missed by {px:.0f} px: check the annotations against it.",
+        )
+    if lifted.twofold:
+        return (
+            Status.CONVERGED,
+            "Solved, but a second shape, with near and far exchanged, fits as well: mark what "
+            "stands on the ground, or ask for the twin.",
+        )
+    if not lifted.above and ground_indices(core):
+        return (Status.CONVERGED, "Solved, but seen from below: check the ground vertices.")
+    if not lifted.above:
+        return (Status.CONVERGED, "Solved, but seen from below: mark what stands on the ground.")
+    if lifted.as_guessed:
+        return (
+            Status.CONVERGED,
+            "Solved, with what is drawn nearly square taken to be square: mark right angles where "
+            "it is.",
+        )
+    if lifted.focal_assumed:
+        return (
+            Status.CONVERGED,
+            "Solved, with a usual focal length assumed: the drawing does not tell it.",
+        )
+    return (Status.CONVERGED, "Solved.")
+
+
+def _are_sizes(core: SketchGraph, ids: tuple[str, ...]) -> bool:
+    sizes = (Length, Diameter, EqualLength)
+    return len(ids) > 1 and all(isinstance(core.annotations[i], sizes) for i in ids)
+
+
+def _what_would_help(core: SketchGraph, lifted: Lifted, open_: Freedoms) -> str:
+    """How much is open, and which annotation would fix most of it."""
+    left = f"{open_.count} freedom{'' if open_.count == 1 else 's'} left"
+    first = busiest_vertex(core)
+    if not says_directions(core) and first is not None:
+        return (
+            f"{left}: nothing is said to be square or parallel; begin with right angles at {first}."
+        )
+    x = lifted.minimum.x
+    corner = most_helpful_corner(core, lifted.full.positions(x) @ x.R.T, open_)
+    words = f"{left}: add a right angle, parallel or ground vertex at {_and(open_.loose[:4])}."
+    if corner is None:
+        return words
+    v, e, f = corner
+    return f"{words} If {e} and {f} are square at {v}, saying so would help most."
+
+
+def _undirected(core: SketchGraph) -> str:
+    """What is said where only sizes and the ground hold a shape: such shapes are seldom meant."""
+    corner = busiest_vertex(core)
+    if corner is None or core.circles or says_directions(core):
+        return ""
+    return f" Nothing is said to be square or parallel: begin with right angles at {corner}."
+
+
+def _is_expected(lifted: Lifted) -> bool:
+    """Whether the usual focal length had a say, as it has unless the drawing is exact."""
+    told = lifted.problem.log_focal_prior is not None and not lifted.focal_assumed
+    return lifted.focal_assumed or not (told or lifted.full.prior is None)
+
+
+def _off_camera(off_mm: float, camera: Camera) -> str:
+    """What is said where the given lengths and a known camera disagree."""
+    part = off_mm / max(abs(float(camera.position_mm[2])), 1e-300)
+    if part < NEARLY_AGREE:
+        return ""
+    return (
+        f" The given lengths put the camera {off_mm:.3g} mm ({100 * part:.2g} %) off its known "
+        "height: check the length, the camera, and what stands on the ground."
+    )
+
+
+def _with_copies(graph: SketchGraph, vertices: Mapping[str, Array]) -> tuple[Geometry, str]:
+    """The geometry with its mirrored copies and its faces, and what to say of them."""
+    whole, left_out = mirrored(graph, Geometry(vertices, graph.edges, graph.drawn_faces or {}))
+    if left_out:
+        some = ", ".join(left_out[:4])
+        return whole, f" Too many copies ({some} and so on): take some symmetry planes away."
+    if graph.faces is not None:
+        return whole, ""
+    traced = set(graph.construction)
+    drawn = whole.edges
+    if traced:
+        drawn = {e: ends for e, ends in drawn.items() if e.split("@")[0] not in traced}
+    try:
+        return replace(whole, faces=awaited_faces(whole.vertices, drawn)), ""
+    except SketchError as error:
+        return whole, f" No faces were looked for: {error}."
+
+
+def nothing_to_lift(graph: SketchGraph) -> str | None:
+    """Why there is nothing to lift, in a sentence; None where there is something."""
+    if not graph.edges and not graph.circles:
+        return "The sketch has no edges: draw the object's edges over the photo."
+    if flat := flat_circles(graph):
+        return f"{_and(flat)} drawn without width or height: pull the ellipse open."
+    if graph.circles:
+        return None
+    pixels = graph.positions_px
+    off = pixels - pixels.sum(axis=0) / max(1, len(pixels))
+    spread = np.linalg.eigvalsh(off.T @ off)
+    if len(pixels) < 3 or float(spread[0]) <= ON_A_LINE**2 * max(float(spread[1]), 1e-300):
+        return "All vertices lie on one line: draw edges in at least two directions."
+    return None
+
+
+def clashing(graph: SketchGraph, blamed: Blame) -> Solution:
+    """Annotations cannot all hold, and no shape was found without those to blame."""
+    return Solution(graph, Status.CONFLICTING, blamed.message, report=Report(conflicts=blamed.ids))
+
+
+def too_free(graph: SketchGraph, what: str) -> Solution:
+    """So much is open that solving would fill the machine."""
+    message = f"{what}, too many to solve for: mark right angles and parallels."
+    return Solution(graph, Status.UNDERDETERMINED, message)
+
+
+def lost(graph: SketchGraph) -> Solution:
+    """Wild drawings end without a shape, or with one whose numbers overflow."""
+    return Solution(
+        graph,
+        Status.NOT_CONVERGED,
+        "No 3D shape fits this drawing; check the annotations against it.",
+    )
+
+
+def _and(ids: tuple[str, ...]) -> str:
+    if len(ids) < 2:
+        return "".join(ids)
+    return f"{', '.join(ids[:-1])} and {ids[-1]}"

@@ -190,6 +190,14 @@ def _what_would_help(core: SketchGraph, lifted: Lifted, open_: Freedoms) -> str:
         return (
             f"{left}: nothing is said to be square or parallel; begin with right angles at {first}."
         )
+    sizes = {a.circle for a in core.annotations.values() if isinstance(a, Diameter)}
+    # The first size only sets the scale: two sizes say what one circle is beside the other.
+    unsaid = tuple(circle for circle in core.circles if circle not in sizes)
+    if unsaid and all(id_ in core.circles for id_ in open_.loose):
+        return (
+            f"{left}: give the diameter of {_and(unsaid[:4])}, or join circles of one axis "
+            "to a surface of revolution."
+        )
     x = lifted.minimum.x
     corner = most_helpful_corner(core, lifted.full.positions(x) @ x.R.T, open_)
     words = f"{left}: add a right angle, parallel or ground vertex at {_and(open_.loose[:4])}."

@@ -142,6 +142,17 @@ def test_two_diameters_of_one_circle_are_named():
     assert set(solution.report.conflicts) == {"a", "b"}
 
 
+def test_circles_with_open_heights_are_told_what_helps_circles():
+    graph, _ = photograph_turned(LID, np.random.default_rng(0))
+    loose = replace(graph, revolutions={}, vertices={}, edges={}, annotations={})
+    solution = solve(loose)
+    assert solution.report.loose
+    assert set(solution.report.loose) <= set(graph.circles)
+    assert "give the diameter of c0, c1 and c2, or" in solution.message
+    said = {f"d{c}": Diameter(c, 50.0) for c in loose.circles}
+    assert solve(replace(loose, annotations=said)).report.degrees_of_freedom == 0
+
+
 def test_the_same_size_said_twice_is_no_clash():
     shape = box()
     said = {**shape.annotations, "again": Length("e2", 200.0), "deep": EqualLength(("e1", "e3"))}

@@ -33,6 +33,10 @@ SENTENCES = (
     "{} freedoms left: add a right angle, parallel or ground vertex at {}.",
     "{} freedom left: nothing is said to be square or parallel; begin with right angles at {}.",
     "{} freedoms left: nothing is said to be square or parallel; begin with right angles at {}.",
+    "{} freedom left: give the diameter of {}, or join circles of one axis to a surface of "
+    "revolution.",
+    "{} freedoms left: give the diameter of {}, or join circles of one axis to a surface of "
+    "revolution.",
     "If {} and {} are square at {}, saying so would help most.",
     "{} cannot all hold: take one of them away.",
     "{0} cannot hold: try removing {0}.",
@@ -69,6 +73,10 @@ SENTENCES = (
     "No faces were looked for: {}.",
     "No face was found for {}: choose another one.",
     "Nothing is said to be square or parallel: begin with right angles at {}.",
+    "{} freedom left: give the diameter of {}, or join circles of one axis to a surface of "
+    "revolution.",
+    "{} freedoms left: give the diameter of {}, or join circles of one axis to a surface of "
+    "revolution.",
     "If {} and {} are square at {}, saying so would help most.",
     "The traced lines meet as in a cropped photo: it was taken towards {} px, not {} px: say "
     "so in the photo's camera, or use the whole photo.",

@@ -2086,12 +2086,20 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>Noch {} Freiheit: bitte einen rechten Winkel, eine Parallele oder einen Bodenpunkt bei {} angeben.</translation>
     </message>
     <message>
+        <source>{} freedom left: give the diameter of {}, or join circles of one axis to a surface of revolution.</source>
+        <translation>Noch {} Freiheit: bitte den Durchmesser von {} angeben oder Kreise einer Achse zu einer Drehfläche verbinden.</translation>
+    </message>
+    <message>
         <source>{} freedom left: nothing is said to be square or parallel; begin with right angles at {}.</source>
         <translation>Noch {} Freiheit: nichts ist als rechtwinklig oder parallel angegeben; bitte mit rechten Winkeln an {} beginnen.</translation>
     </message>
     <message>
         <source>{} freedoms left: add a right angle, parallel or ground vertex at {}.</source>
         <translation>Noch {} Freiheiten: bitte einen rechten Winkel, eine Parallele oder einen Bodenpunkt bei {} angeben.</translation>
+    </message>
+    <message>
+        <source>{} freedoms left: give the diameter of {}, or join circles of one axis to a surface of revolution.</source>
+        <translation>Noch {} Freiheiten: bitte den Durchmesser von {} angeben oder Kreise einer Achse zu einer Drehfläche verbinden.</translation>
     </message>
     <message>
         <source>{} freedoms left: nothing is said to be square or parallel; begin with right angles at {}.</source>

@@ -2086,12 +2086,20 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>自由度が {} 残っています。{} に直角、平行、地面の指定を加えてください。</translation>
     </message>
     <message>
+        <source>{} freedom left: give the diameter of {}, or join circles of one axis to a surface of revolution.</source>
+        <translation>自由度が {} 残っています。{} の直径を指定するか、同じ軸の円を回転体にまとめてください。</translation>
+    </message>
+    <message>
         <source>{} freedom left: nothing is said to be square or parallel; begin with right angles at {}.</source>
         <translation>自由度が {} 残っています。直角も平行も指定されていません。まず {} に直角を付けてください。</translation>
     </message>
     <message>
         <source>{} freedoms left: add a right angle, parallel or ground vertex at {}.</source>
         <translation>自由度が {} 残っています。{} に直角、平行、地面の指定を加えてください。</translation>
+    </message>
+    <message>
+        <source>{} freedoms left: give the diameter of {}, or join circles of one axis to a surface of revolution.</source>
+        <translation>自由度が {} 残っています。{} の直径を指定するか、同じ軸の円を回転体にまとめてください。</translation>
     </message>
     <message>
         <source>{} freedoms left: nothing is said to be square or parallel; begin with right angles at {}.</source>

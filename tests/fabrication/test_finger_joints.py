@@ -61,15 +61,15 @@ def test_the_narrowest_finger():
 
 def test_borders_are_symmetric():
     run = Run(0, 1, "L", 0, 3.0, 117.0)
-    borders = np.array(finger_borders(run, 3.0, PlateSettings()))
+    borders = np.array(finger_borders(run, 3.0, 12.0, 4.5, "finger"))
     np.testing.assert_allclose(borders + borders[::-1], 120.0, atol=2e-6)
     assert len(borders) % 2 == 0
 
 
 def test_a_short_t_gets_one_tab_or_none():
-    one = finger_borders(Run(0, 1, "T", 0, 0.0, 11.0), 3.0, PlateSettings())
+    one = finger_borders(Run(0, 1, "T", 0, 0.0, 11.0), 3.0, 12.0, 4.5, "finger")
     assert one == [0.0, 3.25, 7.75, 11.0]
-    assert finger_borders(Run(0, 1, "T", 0, 0.0, 10.0), 3.0, PlateSettings()) == [0.0, 10.0]
+    assert finger_borders(Run(0, 1, "T", 0, 0.0, 10.0), 3.0, 12.0, 4.5, "finger") == [0.0, 10.0]
 
 
 def test_how_walls_meet():

@@ -88,7 +88,9 @@ def _joint(
         least if run.kind == "L" else least + 2 * thickness,
         _middle(run, walls),
     )
-    return plan.decide(meeting, lambda finger: len(_borders(run, thickness, finger, least, "")) - 1)
+    return plan.decide(
+        meeting, lambda finger: len(finger_borders(run, thickness, finger, least, "")) - 1
+    )
 
 
 def _middle(run: Run, walls: Sequence[Wall]) -> Corner:
@@ -160,17 +162,14 @@ def least_finger_mm(thickness: float, kerf: float) -> float:
     return max(1.5 * thickness, 2.0 + kerf)
 
 
-def finger_borders(run: Run, thickness: float, settings: PlateSettings) -> list[float]:
+def finger_borders(
+    run: Run, thickness: float, finger: float, least: float, kind: str
+) -> list[float]:
     """Where the fingers of a run begin and end, along its axis, mm.
 
     Of a T that is too short for three fingers, one tab is left if it keeps one thickness of
     material at each end.
     """
-    least = least_finger_mm(thickness, settings.beam_mm)
-    return _borders(run, thickness, settings.finger_mm, least, "finger")
-
-
-def _borders(run: Run, thickness: float, finger: float, least: float, kind: str) -> list[float]:
     if kind in ("butt", "none"):
         return [run.low_mm, run.high_mm]
     length = run.high_mm - run.low_mm
@@ -193,7 +192,7 @@ def _finger_pieces(run: Run, walls: Sequence[Wall], first: int, joint: Joint) ->
     second = run.two if first == run.one else run.one
     thickness = max(walls[first].thickness_mm, walls[second].thickness_mm)
     least = joint.meeting.least_mm - (2 * thickness if run.kind == "T" else 0.0)
-    borders = _borders(run, thickness, joint.finger_mm, least, joint.kind)
+    borders = finger_borders(run, thickness, joint.finger_mm, least, joint.kind)
     pieces = []
     for n, (low, high) in enumerate(itertools.pairwise(borders)):
         owner, rival = (second, first) if n % 2 else (first, second)

@@ -32,8 +32,8 @@ EXIF_LOG_SIGMA = 0.01
 #: A person's drawing error in image units, against which priors are weighed.
 DRAWING_SIGMA = 0.005
 #: Newton steps onto the constraints: three will do, but where constraints are singular, as at
-#: right-angled shapes, each takes only half of the way.
-MAX_RESTORING = 16
+#: right-angled shapes, each takes only half of the way (with more of them the full step creeps).
+MAX_RESTORING = 8
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -83,7 +83,7 @@ def describe(
     if errors is not None and errors.log_focal > UNSURE_FOCAL_SIGMA:
         lifted = replace(lifted, focal_assumed=_is_expected(lifted))
     unsure = bool(np.sqrt(np.mean(sigmas**2)) > UNSURE_SIZE_SIGMA) if len(sigmas) else False
-    status, message = _verdict(core, lifted, open_, conflicts, wished=wished)
+    status, message = _verdict(graph, core, lifted, open_, conflicts, wished=wished)
     if status is Status.CONVERGED and unsure:
         message += UNSURE
     if status is Status.CONVERGED and core.camera is not None:
@@ -122,6 +122,7 @@ def describe(
 
 
 def _verdict(
+    graph: SketchGraph,
     core: SketchGraph,
     lifted: Lifted,
     open_: Freedoms,
@@ -129,7 +130,7 @@ def _verdict(
     *,
     wished: bool,
 ) -> tuple[Status, str]:
-    if conflicts and lifted.minimum.converged and _are_sizes(core, conflicts):
+    if conflicts and lifted.minimum.converged and _are_sizes(graph, conflicts):
         return Status.CONFLICTING, f"{_and(conflicts[:4])} cannot all hold: take one of them away."
     if conflicts:
         # That directions clash would have been found by reasoning: here a search failed.
@@ -177,9 +178,9 @@ def _verdict(
     return (Status.CONVERGED, "Solved.")
 
 
-def _are_sizes(core: SketchGraph, ids: tuple[str, ...]) -> bool:
+def _are_sizes(graph: SketchGraph, ids: tuple[str, ...]) -> bool:
     sizes = (Length, Diameter, EqualLength)
-    return len(ids) > 1 and all(isinstance(core.annotations[i], sizes) for i in ids)
+    return len(ids) > 1 and all(isinstance(graph.annotations[i], sizes) for i in ids)
 
 
 def _what_would_help(core: SketchGraph, lifted: Lifted, open_: Freedoms) -> str:

@@ -46,10 +46,17 @@ INCHES, UNITS = 3, "User parameter:BaseApp/Preferences/Units"
 
 @pytest.fixture
 def inches():
-    """A person who works in inches."""
+    """A person who works in inches, whatever the units of a document."""
+    preferences = FreeCAD.ParamGet(UNITS)
+    before = preferences.GetInt("UserSchema", 0)
+    # From 1.0 on a document that comes to the front brings its own units, unless this is said.
+    preferences.SetBool("IgnoreProjectSchema", True)
+    preferences.SetInt("UserSchema", INCHES)
     FreeCAD.Units.setSchema(INCHES)
     yield
-    FreeCAD.Units.setSchema(FreeCAD.ParamGet(UNITS).GetInt("UserSchema", 0))
+    preferences.RemBool("IgnoreProjectSchema")
+    preferences.SetInt("UserSchema", before)
+    FreeCAD.Units.setSchema(before)
 
 
 def test_the_page_speaks_inches_where_freecad_does(inches, page, shelf):

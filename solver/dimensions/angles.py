@@ -24,12 +24,6 @@ Corner = tuple[str, str]
 RIGHT_DEG = 90.0
 
 
-def corner_of(graph: SketchGraph, edges: tuple[str, ...]) -> Corner:
-    """Two edges as the corner that they make: in the order of the graph."""
-    first, second = (edge for edge in graph.edges if edge in edges)
-    return first, second
-
-
 def driving_angles_deg(graph: SketchGraph) -> Mapping[Corner, float]:
     """The angles that are said, which are all right."""
     said = (a for a in graph.annotations.values() if isinstance(a, RightAngle))

@@ -18,7 +18,7 @@ from incontext.workbench.fabrication import (
     joined_plates,
     make_plates,
 )
-from incontext.workbench.fabrication.dihedral import takes_fingers, tip_and_notch
+from incontext.workbench.fabrication.dihedral import tip_and_notch
 from incontext.workbench.fabrication.frame import newell
 
 CHEVRON = [(0, 0), (60, 40), (120, 0), (120, 60), (60, 100), (0, 60)]
@@ -124,13 +124,6 @@ def test_the_right_angle_is_the_common_border_of_both_formulas():
             assert tip_and_notch(theta, 3.0, other) == pytest.approx((0.0, other), abs=1e-5)
         concave = tip_and_notch(3 * math.pi / 2, 3.0, other)
         assert concave == pytest.approx((-other, 0.0), abs=1e-9)
-
-
-def test_flat_angles_take_no_fingers():
-    assert takes_fingers(math.radians(30.1))
-    assert takes_fingers(math.radians(211))
-    assert not takes_fingers(math.radians(155))
-    assert not takes_fingers(math.radians(350))
 
 
 @settings(max_examples=14, deadline=None, derandomize=True)

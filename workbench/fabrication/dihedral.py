@@ -51,9 +51,3 @@ def tip_and_notch(theta: float, own: float, other: float) -> tuple[float, float]
     if -other * cosine > own:
         return 0.0, own * sine / -cosine
     return 0.0, other * sine
-
-
-def takes_fingers(theta: float) -> bool:
-    """Whether fingers hold at this angle."""
-    folded = min(theta, 2 * math.pi - theta)
-    return FINGERS_FROM_RAD <= folded <= FINGERS_TO_RAD

@@ -42,8 +42,7 @@ def test_everything_follows_the_plates(drawn, shelf, document):
     driving = [n for n in shelf[1].PropertiesList if shelf[1].getGroupOfProperty(n) == "Dimensions"]
     setattr(shelf[1], driving[0], 1.1 * getattr(shelf[1], driving[0]).Value)
     document.recompute()
-    wait_for(lambda: views_are_ready(page))
-    document.recompute()
+    wait_for(lambda: views_are_ready(page) and sizes_on(page) == sizes_of(shelf[2]))
     assert sizes_on(page) != before
     assert sizes_on(page) == sizes_of(shelf[2])
     widths = [sheet.get(f"B{row}").Value for row in range(2, 8)]
@@ -53,6 +52,12 @@ def test_everything_follows_the_plates(drawn, shelf, document):
 def edges_of(view):
     """Ends of the view's edges, mm on the plate."""
     return [[v.Point / view.Scale for v in edge.Vertexes] for edge in view.getVisibleEdges()]
+
+
+def is_measured(view, size):
+    """Whether a size is the longest edge's, which is worked out on the side."""
+    longest = max((b - a).Length for a, b in edges_of(view))
+    return abs(size.getRawValue() - longest) < 1e-3
 
 
 def test_a_size_drawn_by_hand_stays_on_its_border(drawn, shelf, document):
@@ -77,6 +82,7 @@ def test_a_size_drawn_by_hand_stays_on_its_border(drawn, shelf, document):
     document.recompute()
     wait_for(lambda: views_are_ready(page))
     document.recompute()
+    wait_for(lambda: all(is_measured(views[obj], size) for obj, size, *_ in drawn_by_hand))
     for (obj, size, count, _), value in zip(drawn_by_hand, before, strict=True):
         edges = edges_of(views[obj])
         assert len(edges) > count

@@ -20,6 +20,8 @@ PAGE_MM, BORDER_MM, LIST_MM = (420.0, 297.0), 14.0, 112.0
 #: Between two plates, with room for a size.
 GAP_MM = 24.0
 SCALES = (5.0, 2.0, 1.0, 0.5, 0.4, 1 / 3, 0.25, 0.2, 0.15, 0.1, 0.05, 0.02, 0.01)
+#: On the page: nearer than this, a view has its plate's size.
+_SAME_MM = 1e-3
 #: Of the parts list, mm on the page.
 _COLUMN_MM, _ROW_MM, _TEXT_MM = 27, 9, 4.0
 #: TechDraw takes sizes in tables for pixels of a screen.
@@ -142,9 +144,26 @@ def add_sizes(page: Any) -> None:
 
 
 def views_are_ready(page: Any) -> bool:
-    """Whether all views know their edges."""
+    """Whether all views know the edges of their plates as they are now.
+
+    FreeCAD 1.0 and later show the edges of before until those on the side are worked out.
+    """
     views = [v for v in page.Views if v.TypeId == "TechDraw::DrawViewPart"]
-    return all(len(view.getVisibleEdges()) >= 3 for view in views)
+    return all(_shows_its_plate(view) for view in views)
+
+
+def _shows_its_plate(view: Any) -> bool:
+    edges, flat = view.getVisibleEdges(), view.Source[0]
+    if len(edges) < 3:
+        return False
+    points = [vertex.Point for edge in edges for vertex in edge.Vertexes]
+    return all(
+        abs(max(coordinates) - min(coordinates) - view.Scale * size.Value) < _SAME_MM
+        for coordinates, size in (
+            ([point.x for point in points], flat.PlateWidth),
+            ([point.y for point in points], flat.PlateHeight),
+        )
+    )
 
 
 def _add_list(page: Any, flat: list[Any]) -> None:

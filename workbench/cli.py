@@ -211,6 +211,7 @@ def _solution_text(solution: Solution) -> bytes:
 
 def _check(arguments: argparse.Namespace) -> int:
     from ..solver import findings, solve
+    from ..solver.diagnosis import message_with_wanting_faces
     from ..solver.perspective.vanishing_points import traced_lines
     from ..solver.solution import Status
     from .photos import photo_problem
@@ -223,8 +224,8 @@ def _check(arguments: argparse.Namespace) -> int:
         solution = solve(graph)
         if solution.status is not Status.CONVERGED:
             found.insert(0, ("error", solution.message))
-        elif solution.message != PLAIN:
-            found.insert(0, ("warning", solution.message))
+        elif (message := message_with_wanting_faces(graph, solution)) != PLAIN:
+            found.insert(0, ("warning", message))
         lens = lens_of_sketch(graph, arguments.sketch)
         notes = (*traced_lines(graph, solution).notes, *(() if lens is None else lens.notes))
         found += [("warning", note) for note in notes]
@@ -246,12 +247,12 @@ def _fit(arguments: argparse.Namespace) -> int:
     graph = _load(arguments.sketch)
     solution = solve(graph)
     if solution.status is not Status.CONVERGED:
-        return _verdict(solution)
+        return _verdict(graph, solution)
     found = checks(graph, solution, order)
     for check in found:
         for line in check.lines:
             print(line)
-    _verdict(solution)
+    _verdict(graph, solution)
     return OK if all(check.good for check in found) else BAD_FIT
 
 
@@ -270,7 +271,7 @@ def _solve(arguments: argparse.Namespace) -> int:
     beside = arguments.sketch.with_name(name_of(arguments.sketch) + ".solution.json")
     output = arguments.output or beside
     write_files({output: _solution_text(solution)})
-    return _verdict(solution)
+    return _verdict(graph, solution)
 
 
 def _solver(method: str, *, twin: bool) -> Callable[..., Solution]:
@@ -312,16 +313,18 @@ def _bench(arguments: argparse.Namespace) -> int:
     return OK
 
 
-def _verdict(solution: Solution) -> int:
+def _verdict(graph: SketchGraph, solution: Solution) -> int:
     """Say how a solve ended, where it did not end well."""
+    from ..solver.diagnosis import message_with_wanting_faces
     from ..solver.solution import Status
 
     if solution.status is not Status.CONVERGED:
         _complain(f"incontext: {solution.status.value}: {solution.message}")
         return BAD_SOLVE
-    if solution.message != PLAIN:
+    message = message_with_wanting_faces(graph, solution)
+    if message != PLAIN:
         # Annotations that the drawing speaks against, a second shape, sizes that are unsure.
-        _complain(f"warning: {solution.message}")
+        _complain(f"warning: {message}")
     if solution.scale_assumed:
         _complain("warning: nothing says how large it is; the longest edge is taken as 100 mm")
     return OK
@@ -352,7 +355,7 @@ def _make(arguments: argparse.Namespace) -> int:
             _complain(f"note: {note}")
         details = product.details if arguments.explain else ()
     write_files({arguments.out / name: data for name, data in contents.items()})
-    status = _verdict(solution)
+    status = _verdict(graph, solution)
     for name in contents:
         print(arguments.out / name)
     for line in details:

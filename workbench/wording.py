@@ -72,6 +72,8 @@ SENTENCES = (
     "Too many copies ({} and so on): take some symmetry planes away.",
     "No faces were looked for: {}.",
     "No face was found for {}: choose another one.",
+    "No face is made of {}, {} mm off flat: mark what makes it flat, or take it for a face.",
+    "If {} is flat, taking it for a face would help.",
     "Nothing is said to be square or parallel: begin with right angles at {}.",
     "{} freedom left: give the diameter of {}, or join circles of one axis to a surface of "
     "revolution.",

@@ -896,6 +896,14 @@
         <translation>Kein gerades Ding ist nachgezeichnet: Linien entlang gerader Dinge ziehen, nahe am Rand des Fotos, und zu Hilfsgeometrie machen (X).</translation>
     </message>
     <message>
+        <source>No face is made of {}, {} mm off flat: mark what makes it flat, or take it for a face.</source>
+        <translation>Aus {} wird keine Fläche, {} mm fehlen zur Ebene: markieren, was sie eben macht, oder sie als Fläche nehmen.</translation>
+    </message>
+    <message>
+        <source>If {} is flat, taking it for a face would help.</source>
+        <translation>Wenn {} eben ist, hilft es, sie als Fläche zu nehmen.</translation>
+    </message>
+    <message>
         <source>No face was found for {}: choose another one.</source>
         <translation>Für {} wurde keine Fläche gefunden: bitte eine andere wählen.</translation>
     </message>

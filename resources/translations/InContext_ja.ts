@@ -896,6 +896,14 @@
         <translation>まっすぐな物がなぞられていません。写真の端に近いまっすぐな物に沿って線を引き、補助線（X）にしてください。</translation>
     </message>
     <message>
+        <source>No face is made of {}, {} mm off flat: mark what makes it flat, or take it for a face.</source>
+        <translation>{} は平面から {} mm ずれているため面になりません。平らになる注釈を付けるか、面として受け入れてください。</translation>
+    </message>
+    <message>
+        <source>If {} is flat, taking it for a face would help.</source>
+        <translation>{} が平らなら、面として受け入れると決まります。</translation>
+    </message>
+    <message>
         <source>No face was found for {}: choose another one.</source>
         <translation>{} の面が見つかりません。別の面を選んでください。</translation>
     </message>

@@ -141,6 +141,29 @@ def with_list(graph: SketchGraph, choice: Choice) -> SketchGraph:
     return _with_face(graph, choice, lambda face: face)
 
 
+def with_flat_face(graph: SketchGraph, loop: tuple[str, ...], found: Faces) -> SketchGraph:
+    """The graph with a loop listed that was no face, and so made flat; lists all faces.
+
+    Parameters
+    ----------
+    graph : SketchGraph
+    loop : tuple of str
+    found : mapping of id to Face
+        See `found_faces`.
+
+    Raises
+    ------
+    SketchError
+        Where the loop's vertices are not joined by edges.
+    """
+    faces = dict(choices(graph, found) if graph.faces is None else graph.faces)
+    if frozenset(loop) in {_key(face) for face in faces.values()}:
+        return graph
+    listed = replace(graph, faces=faces | {fresh_id("f", faces): Face(loop)})
+    check_references(listed)
+    return listed
+
+
 def _with_face(graph: SketchGraph, choice: Choice, change: Callable[[Face], Face]) -> SketchGraph:
     """The graph with a face changed and listed.
 

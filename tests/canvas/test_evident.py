@@ -9,6 +9,7 @@ from incontext.solver import solve
 from incontext.solver.annotations import Ground, Parallel, RightAngle
 from incontext.solver.solution import Solution, Status
 from incontext.solver.synthetic import box, photograph
+from incontext.tests.scenes import GABLES, loose_house
 from incontext.workbench.canvas.evident import evident, still_open, taken
 
 
@@ -88,3 +89,25 @@ def test_what_is_taken_or_gone_is_no_suggestion_any_more(crooked):
     assert still_open(taken(graph, found), found) == ()
     smaller = replace(graph, vertices={}, edges={})
     assert still_open(smaller, found) == ()
+
+
+def test_right_angles_that_make_a_loop_flat_go_before_it():
+    graph = loose_house(0.004, slope_told=True)
+    found = evident(graph, solve(graph))
+    assert found
+    assert all(isinstance(a, RightAngle) for a in found)
+    after = solve(taken(graph, found))
+    assert len(after.faces) == 7
+
+
+def test_nearly_flat_loops_are_suggested_and_listed_once_taken():
+    graph = loose_house(0.004, slope_told=False)
+    found = evident(graph, solve(graph))
+    assert {frozenset(flat.loop) for flat in found} == set(GABLES)
+    after = taken(graph, found)
+    assert len(after.faces) == 7
+    assert still_open(graph, found) == found
+    assert still_open(after, found) == ()
+    walls = dict(list(graph.edges.items())[1:])
+    assert still_open(replace(graph, edges=walls, annotations={}), found) == ()
+    assert evident(after, solve(after)) == ()

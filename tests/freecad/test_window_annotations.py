@@ -6,8 +6,10 @@ import FreeCADGui
 import pytest
 from PySide import QtCore
 
+from incontext.solver.annotations import RightAngle
 from incontext.solver.serialise import sketch_from_text
 from incontext.tests.freecad.hands import pump, wait_until
+from incontext.tests.scenes import GABLES, loose_house
 from incontext.workbench.canvas.selection import Selection
 from incontext.workbench.panels import working
 
@@ -142,9 +144,9 @@ def test_suggestions_are_ghosts_until_a_click_or_a_key_takes_them(panel, control
     offered, said = view.suggestions, set(view.graph.annotations)
     assert said == set(less)
     assert panel._suggested.isVisible()
-    ghost = view._ghosts._painted[-1]
+    ghost = next(g for g in view._ghosts._painted if isinstance(g.suggestion, RightAngle))
     hands.move(view.viewport().mapToGlobal(QtCore.QPoint(*map(round, ghost.handles[0]))))
-    assert view._ghosts.lit == ghost.annotation
+    assert view._ghosts.lit == ghost.suggestion
     hands._do("click", "1")
     assert len(view.graph.annotations) == len(said) + 1
     controller.undo()
@@ -154,6 +156,25 @@ def test_suggestions_are_ghosts_until_a_click_or_a_key_takes_them(panel, control
     hands.press("y")
     assert len(view.graph.annotations) > len(said)
     assert controller.obj.Document.UndoNames[0] == "Take suggestions"
+
+
+def test_a_loop_that_is_nearly_flat_becomes_a_face_by_a_click(controller, hands):
+    """Gables whose peaks nothing holds: no plate would be made of them."""
+    view = controller.tab.view
+    controller.write(loose_house(0.004, slope_told=False), "House")
+    wait_until(lambda: len(view._ghosts._painted) == len(GABLES))
+    assert controller.models[0].Status == "underdetermined"
+    view.fit()
+    wait_until(lambda: len(view._ghosts._painted) == len(GABLES))
+    (place, *_) = view._ghosts._painted[0].handles
+    hands.click(view.viewport().mapToGlobal(QtCore.QPoint(*map(round, place))))
+    wait_until(lambda: controller.models[0].Status == "converged" and view.suggestions)
+    hands.press("y")
+    listed = {frozenset(face.loop) for face in view.graph.faces.values()}
+    assert set(GABLES) < listed
+    wait_until(lambda: controller.models[0].Status == "converged")
+    assert len(listed) == 7
+    assert view.suggestions == ()
 
 
 def test_panel_goes_with_the_last_tab(panel, document):

@@ -7,22 +7,27 @@ Terms
 nearly
     True within a hand's error, and not to the last digits: what holds exactly follows from what
     is said already, and saying it again would tell the solver nothing.
+flat
+    A loop that looks like a face and is none: taken, it is one, and the solver makes it flat.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from itertools import combinations
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from itertools import combinations, pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ...solver.annotations import Annotation, Ground, Parallel, RightAngle
+from ...solver.diagnosis import nearly_flat
 from ...solver.editing.annotating import annotate, toggle_ground
+from ...solver.editing.listing import with_flat_face
 from .loops import quads
 
 if TYPE_CHECKING:
-    from ...solver.graph import SketchGraph
+    from ...solver.graph import Face, SketchGraph
     from ...solver.solution import Solution
 
 #: Between these an angle is nearly what it should be, degrees.
@@ -33,8 +38,27 @@ NEARLY_ON_GROUND = (1e-6, 0.015)
 MOST = 12
 
 
-def evident(graph: SketchGraph, solution: Solution) -> tuple[Annotation, ...]:
-    """Annotations that the lift suggests.
+@dataclass(frozen=True, slots=True)
+class Flat:
+    """That a loop is a face.
+
+    Parameters
+    ----------
+    loop : tuple of str
+        Its vertices, around.
+    found : mapping of id to Face
+        The faces that there are without it.
+    """
+
+    loop: tuple[str, ...]
+    found: Mapping[str, Face] = field(compare=False, repr=False)
+
+
+Suggestion = Annotation | Flat
+
+
+def evident(graph: SketchGraph, solution: Solution) -> tuple[Suggestion, ...]:
+    """What the lift suggests to say.
 
     Parameters
     ----------
@@ -48,14 +72,29 @@ def evident(graph: SketchGraph, solution: Solution) -> tuple[Annotation, ...]:
     if not solution.vertices_mm or not all(v in solution.vertices_mm for v in graph.vertices):
         return ()
     right = sorted(_right_angles(graph, solution), key=lambda found: found[0])
-    found: list[Annotation] = [annotation for _, annotation in right]
+    found: list[Suggestion] = [annotation for _, annotation in right]
     # A rectangle's right angles say its parallels as well.
     square = {e for a in found if isinstance(a, RightAngle) for e in a.between}
     square |= {e for a in graph.annotations_of("right_angle").values() for e in a.between}
     parallel = sorted(_parallels(graph, solution, square), key=lambda found: found[0])
     groups = _joined(annotation for _, annotation in parallel)
     found = [*_ground(graph, solution), *found, *groups]
+    named = {e for a in found if isinstance(a, RightAngle | Parallel) for e in edges_of(a)}
+    found += _flats(graph, solution, named)
     return tuple(found[:MOST])
+
+
+def edges_of(annotation: RightAngle | Parallel) -> tuple[str, ...]:
+    """The edges that an annotation is about."""
+    return annotation.between if isinstance(annotation, RightAngle) else annotation.edges
+
+
+def _flats(graph: SketchGraph, solution: Solution, named: set[str]) -> Iterator[Flat]:
+    """Loops that are no faces; not those of which edges, with what else is suggested, may be."""
+    for one in nearly_flat(graph, solution):
+        sides = pairwise((*one.loop, one.loop[0]))
+        if named.isdisjoint(filter(None, (graph.edge_between(*side) for side in sides))):
+            yield Flat(one.loop, solution.faces)
 
 
 def _right_angles(graph: SketchGraph, solution: Solution) -> Iterator[tuple[float, Annotation]]:
@@ -130,10 +169,12 @@ def _is_nearly(off_deg: float) -> bool:
     return NEARLY_DEG[0] < off_deg < NEARLY_DEG[1]
 
 
-def taken(graph: SketchGraph, suggestions: Iterable[Annotation]) -> SketchGraph:
+def taken(graph: SketchGraph, suggestions: Iterable[Suggestion]) -> SketchGraph:
     """The graph with what was suggested said."""
     for suggestion in suggestions:
-        if isinstance(suggestion, Ground):
+        if isinstance(suggestion, Flat):
+            graph = with_flat_face(graph, suggestion.loop, suggestion.found)
+        elif isinstance(suggestion, Ground):
             on_it = {v for a in graph.annotations_of("ground").values() for v in a.vertices}
             new = [v for v in suggestion.vertices if v not in on_it]
             graph = toggle_ground(graph, new) if new else graph
@@ -142,14 +183,17 @@ def taken(graph: SketchGraph, suggestions: Iterable[Annotation]) -> SketchGraph:
     return graph
 
 
-def still_open(graph: SketchGraph, suggestions: Iterable[Annotation]) -> tuple[Annotation, ...]:
+def still_open(graph: SketchGraph, suggestions: Iterable[Suggestion]) -> tuple[Suggestion, ...]:
     """The suggestions whose vertices and edges are all there, and that nobody has said since."""
-    there = set(graph.vertices) | set(graph.edges)
-    known = [s for s in suggestions if there.issuperset(_named(s))]
+    known = [s for s in suggestions if _is_there(graph, s)]
     return tuple(s for s in known if taken(graph, (s,)) is not graph)
 
 
-def _named(annotation: Annotation) -> set[str]:
-    if isinstance(annotation, RightAngle):
-        return {annotation.at, *annotation.between}
-    return set(annotation.vertices if isinstance(annotation, Ground) else annotation.edges)
+def _is_there(graph: SketchGraph, suggestion: Suggestion) -> bool:
+    if isinstance(suggestion, Flat):
+        loops = [suggestion.loop, *(f.loop for f in suggestion.found.values())]
+        sides = [side for loop in loops for side in pairwise((*loop, loop[0]))]
+        return all(any(map(graph.is_copy, side)) or graph.edge_between(*side) for side in sides)
+    if isinstance(suggestion, Ground):
+        return graph.vertices.keys() >= set(suggestion.vertices)
+    return graph.edges.keys() >= set(edges_of(suggestion))

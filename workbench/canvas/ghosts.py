@@ -12,9 +12,9 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from ...solver.annotations import Annotation, Ground, RightAngle
+from ...solver.annotations import Ground, RightAngle
 from . import style, symbols
-from .evident import still_open
+from .evident import Flat, edges_of, still_open
 from .overlay import polygon
 from .plane import middle
 from .qt import QtCore, QtGui
@@ -23,22 +23,25 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from ...solver.graph import SketchGraph
+    from .evident import Suggestion
     from .scene import Scene
     from .symbols import Point, Stroke
 
 _Qt = QtCore.Qt
+#: A loop that may be flat is drawn again this much smaller.
+FLAT_INSET = 0.85
 
 
 @dataclass(frozen=True, slots=True)
 class Ghost:
     """A suggestion on the screen: its strokes, and its handles."""
 
-    annotation: Annotation
+    suggestion: Suggestion
     strokes: tuple[Stroke, ...]
     handles: tuple[Point, ...]
 
 
-def _ghost(scene: Scene, suggestion: Annotation) -> Ghost:
+def _ghost(scene: Scene, suggestion: Suggestion) -> Ghost:
     if isinstance(suggestion, RightAngle):
         ends = [scene.graph.edges[e] for e in suggestion.between]
         others = [w if v == suggestion.at else v for v, w in ends]
@@ -50,10 +53,20 @@ def _ghost(scene: Scene, suggestion: Annotation) -> Ghost:
         feet = [_below(scene.screen[v]) for v in suggestion.vertices]
         hatches = tuple(s for foot in feet for s in symbols.ground(foot, style.GHOST_PX))
         return Ghost(suggestion, hatches, tuple(feet))
-    lines = [scene.ends(edge) for edge in suggestion.edges]
+    if isinstance(suggestion, Flat):
+        return _flat(scene, suggestion)
+    lines = [scene.ends(edge) for edge in edges_of(suggestion)]
     size, spacing = 1.6 * style.ARROW_PX, style.MARK_SPACING_PX
     marks = [mark for line in lines for mark in symbols.arrows(*line, 1, size, spacing)]
     return Ghost(suggestion, tuple(marks), tuple(map(_beside, lines)))
+
+
+def _flat(scene: Scene, suggestion: Flat) -> Ghost:
+    """The loop, drawn again a little within itself."""
+    corners = [scene.screen[v] for v in suggestion.loop]
+    x, y = (sum(along) / len(corners) for along in zip(*corners, strict=True))
+    within = [(x + FLAT_INSET * (u - x), y + FLAT_INSET * (v - y)) for u, v in corners]
+    return Ghost(suggestion, ((*within, within[0]),), ((x, y),))
 
 
 def _beside(line: tuple[Point, Point]) -> Point:
@@ -71,12 +84,12 @@ class Ghosts:
     """The suggestions of a view, and which of them is pointed at."""
 
     def __init__(self) -> None:
-        self._offered: tuple[Annotation, ...] = ()
+        self._offered: tuple[Suggestion, ...] = ()
         self._painted: list[Ghost] = []
-        self.suggestions: tuple[Annotation, ...] = ()
-        self.lit: Annotation | None = None
+        self.suggestions: tuple[Suggestion, ...] = ()
+        self.lit: Suggestion | None = None
 
-    def offer(self, graph: SketchGraph, suggestions: tuple[Annotation, ...]) -> None:
+    def offer(self, graph: SketchGraph, suggestions: tuple[Suggestion, ...]) -> None:
         """Suggest something else."""
         self._offered = suggestions
         self.follow(graph)
@@ -97,7 +110,7 @@ class Ghosts:
             distance, ghost = min(near, key=lambda found: found[0], default=(math.inf, None))
             reach = min([style.PLUS_PX + 2, *(math.dist(other, place) for other in others)])
             if ghost is not None and distance <= reach:
-                self.lit = ghost.annotation
+                self.lit = ghost.suggestion
         return self.lit != before
 
     def paint(self, painter: QtGui.QPainter, scene: Scene) -> None:
@@ -105,7 +118,7 @@ class Ghosts:
         self._painted = [_ghost(scene, suggestion) for suggestion in self.suggestions]
         painter.setRenderHint(QtGui.QPainter.Antialiasing)
         for ghost in self._painted:
-            _paint(painter, ghost, is_lit=ghost.annotation == self.lit)
+            _paint(painter, ghost, is_lit=ghost.suggestion == self.lit)
 
 
 def _paint(painter: QtGui.QPainter, ghost: Ghost, *, is_lit: bool) -> None:

@@ -29,10 +29,10 @@ from .tools import KEYS
 from .tools.base import Pointer
 
 if TYPE_CHECKING:
-    from ...solver.annotations import Annotation
     from ...solver.camera import Camera
     from ...solver.graph import Point, SketchGraph
     from .attraction import Attraction
+    from .evident import Suggestion
     from .questions import KnownRectangle
     from .solved import Solved
 
@@ -156,16 +156,16 @@ class SketchView(PhotoView):
         self.setFocus()
 
     @property
-    def suggestions(self) -> tuple[Annotation, ...]:
+    def suggestions(self) -> tuple[Suggestion, ...]:
         """What the lift makes evident, for a person to take."""
         return self._ghosts.suggestions
 
-    def set_suggestions(self, suggestions: tuple[Annotation, ...]) -> None:
+    def set_suggestions(self, suggestions: tuple[Suggestion, ...]) -> None:
         """Show as ghosts what the lift makes evident."""
         self._ghosts.offer(self.graph, suggestions)
         self.viewport().update()
 
-    def take_suggestions(self, suggestions: tuple[Annotation, ...] | None = None) -> None:
+    def take_suggestions(self, suggestions: tuple[Suggestion, ...] | None = None) -> None:
         """Say what was suggested, all of it or some, in one step to undo."""
         chosen = self.suggestions if suggestions is None else suggestions
         committed = self._drawing.committed

@@ -15,6 +15,7 @@ from .properties import OUTCOME, Editor, Property, fail, set_outcome
 from .proxy import Proxy, is_of_type
 
 if TYPE_CHECKING:
+    from ...solver.graph import SketchGraph
     from ...solver.solution import Solution
 
 TYPE = "InContext::LiftedModel"
@@ -53,7 +54,7 @@ class LiftedModel(Proxy):
             return
         if solution.status.value != "converged":
             # No fault: a sketch in the making is so most of the time.
-            words = in_language(solution.message)
+            words = _words(pipeline.graph_of(driven_text(obj)), solution)
             set_outcome(obj, solution.status.value, words)
             host.note(f"{obj.Label}: {words}")
             return
@@ -72,7 +73,13 @@ def _show(obj: Any, solution: Solution) -> None:
     obj.Shape = solution_shape(solution, graph)
     show_dimensions(obj, graph, solution)
     obj.ScaleAssumed = bool(solution.scale_assumed)
-    set_outcome(obj, solution.status.value, in_language(solution.message))
+    set_outcome(obj, solution.status.value, _words(graph, solution))
+
+
+def _words(graph: SketchGraph, solution: Solution) -> str:
+    from ...solver.diagnosis import message_with_wanting_faces
+
+    return in_language(message_with_wanting_faces(graph, solution))
 
 
 def make_lifted_model(document: Any, photo_sketch: Any) -> Any:

@@ -9,8 +9,8 @@ import pytest
 from scenes import GABLES, SHAPES, loose_house, photograph, v
 
 from incontext.solver import solve
-from incontext.solver.diagnosis import message_with_wanting_faces, nearly_flat
 from incontext.solver.editing.listing import with_flat_face
+from incontext.solver.editing.nearly_flat import message_with_wanting_faces, nearly_flat
 from incontext.solver.solution import Status
 
 

@@ -211,7 +211,7 @@ def _solution_text(solution: Solution) -> bytes:
 
 def _check(arguments: argparse.Namespace) -> int:
     from ..solver import findings, solve
-    from ..solver.diagnosis import message_with_wanting_faces
+    from ..solver.editing.nearly_flat import message_with_wanting_faces
     from ..solver.perspective.vanishing_points import traced_lines
     from ..solver.solution import Status
     from .photos import photo_problem
@@ -315,7 +315,7 @@ def _bench(arguments: argparse.Namespace) -> int:
 
 def _verdict(graph: SketchGraph, solution: Solution) -> int:
     """Say how a solve ended, where it did not end well."""
-    from ..solver.diagnosis import message_with_wanting_faces
+    from ..solver.editing.nearly_flat import message_with_wanting_faces
     from ..solver.solution import Status
 
     if solution.status is not Status.CONVERGED:

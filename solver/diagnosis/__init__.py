@@ -5,7 +5,6 @@ from .blame import Reading, contradicts, convict
 from .clashes import clashing_annotations, disagree, find_clash, without
 from .freedoms import Freedoms, freedoms
 from .helpful import busiest_vertex, most_helpful_corner, says_directions
-from .nearly_flat import NearlyFlat, message_with_wanting_faces, nearly_flat
 from .precision import UNSURE_SIZE_SIGMA, StandardErrors, focal_sigma, standard_errors
 from .suspects import (
     MANY_UNKNOWNS,
@@ -21,7 +20,6 @@ __all__ = [
     "MANY_UNKNOWNS",
     "UNSURE_SIZE_SIGMA",
     "Freedoms",
-    "NearlyFlat",
     "Reading",
     "Relaxed",
     "StandardErrors",
@@ -35,9 +33,7 @@ __all__ = [
     "focal_sigma",
     "freedoms",
     "leftover_suspects",
-    "message_with_wanting_faces",
     "most_helpful_corner",
-    "nearly_flat",
     "pose_near",
     "relax",
     "says_directions",

@@ -21,9 +21,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ...solver.annotations import Annotation, Ground, Parallel, RightAngle
-from ...solver.diagnosis import nearly_flat
 from ...solver.editing.annotating import annotate, toggle_ground
 from ...solver.editing.listing import with_flat_face
+from ...solver.editing.nearly_flat import nearly_flat
 from .loops import quads
 
 if TYPE_CHECKING:

@@ -77,7 +77,7 @@ def _show(obj: Any, solution: Solution) -> None:
 
 
 def _words(graph: SketchGraph, solution: Solution) -> str:
-    from ...solver.diagnosis import message_with_wanting_faces
+    from ...solver.editing.nearly_flat import message_with_wanting_faces
 
     return in_language(message_with_wanting_faces(graph, solution))
 

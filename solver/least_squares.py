@@ -83,13 +83,14 @@ class Objective(Protocol[X]):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Minimum(Generic[X]):
-    """Where the minimisation ended, and the damping with which it can go on."""
+    """Where the minimisation ended, and the damping and the last gain with which it can go on."""
 
     x: X
     iterations: int
     converged: bool
     cost: float
     damping: float = FIRST_DAMPING
+    gain: float = 0.0
 
 
 def minimise(
@@ -100,6 +101,7 @@ def minimise(
     enough: float = ENOUGH,
     near: bool = False,
     damping: float = FIRST_DAMPING,
+    gained: float = 0.0,
     stop: Callable[[], bool] | None = None,
     been: Callable[[X], bool] | None = None,
 ) -> Minimum[X]:
@@ -112,11 +114,14 @@ def minimise(
     max_iterations : int
         In all, over all penalties.
     enough : float
-        The work is done when a step gains less than this part of the cost.
+        The work is done when a step gains less than this part of the cost, or when the next one
+        will, as fast as gains fall.
     near : bool
         Whether x nearly is the minimum: the rising weights are then left out.
     damping : float
         Of the first step.
+    gained : float
+        By the step before the first, where it is a continuation; else 0.
     stop : callable, optional
         Asked between iterations; True ends the work.
     been : callable, optional
@@ -128,7 +133,7 @@ def minimise(
     """
     # Wild points overflow on the way; each step is judged by a finite merit.
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
-        phase = _Phase(LAST_PENALTY, max_iterations, enough, True, damping)
+        phase = _Phase(LAST_PENALTY, max_iterations, enough, True, damping, gained)
         return _minimise(objective, x, () if near else PENALTIES, phase, stop, been)
 
 
@@ -165,13 +170,14 @@ class _Phase:
     enough: float
     last: bool
     damping: float = FIRST_DAMPING
+    gained: float = 0.0
 
 
 def _descend(
     objective: Objective[X], x: X, phase: _Phase, stop: Callable[[], bool] | None
 ) -> Minimum[X]:
     """Levenberg-Marquardt at one penalty weight."""
-    mu = phase.damping
+    mu, before = phase.damping, phase.gained
     rho = 0.0 if phase.last else phase.rho
     if phase.last:
         x = objective.restore(x)
@@ -179,7 +185,7 @@ def _descend(
     cost = objective.merit(x, rho)
     for iteration in range(phase.budget):
         if stop is not None and stop():
-            return Minimum(x, iteration, False, cost, mu)
+            return Minimum(x, iteration, False, cost, mu, before)
         at = at or objective.evaluate(x)
         step = _step(at, phase.rho, mu)
         size = np.inf if step is None else float(np.abs(step).max(initial=0.0))
@@ -191,15 +197,17 @@ def _descend(
             gain = cost - new_cost
             x, cost, at = moved, new_cost, None
             mu = max(mu / 10, 1e-12)
-            if size < 1e-12 or gain <= phase.enough * cost:
-                return Minimum(x, iteration + 1, True, cost, mu)
+            # Near a minimum gains fall by the same factor, or faster.
+            will_gain, before = gain * min(1.0, gain / max(before, 1e-300)), gain
+            if size < 1e-12 or will_gain <= phase.enough * cost:
+                return Minimum(x, iteration + 1, True, cost, mu, gain)
         else:
             if size < 1e-9:
-                return Minimum(x, iteration + 1, True, cost, mu)
+                return Minimum(x, iteration + 1, True, cost, mu, before)
             mu = max(mu * 10, 1e-6)
             if mu > 1e8:
-                return Minimum(x, iteration + 1, False, cost, mu)
-    return Minimum(x, phase.budget, False, cost, mu)
+                return Minimum(x, iteration + 1, False, cost, mu, before)
+    return Minimum(x, phase.budget, False, cost, mu, before)
 
 
 def _step(at: Evaluation, rho: float, mu: float) -> Array | None:

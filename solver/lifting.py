@@ -174,6 +174,7 @@ def _as_expected(
             enough=NEXT_ENOUGH,
             near=True,
             damping=last.damping,
+            gained=last.gain,
             stop=stop,
         )
         iterations += last.iterations
@@ -244,6 +245,7 @@ def _best(
             enough=enough,
             near=True,
             damping=last.damping,
+            gained=last.gain,
             stop=stop,
         )
 

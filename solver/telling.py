@@ -210,8 +210,8 @@ def _what_would_help(core: SketchGraph, lifted: Lifted, open_: Freedoms) -> str:
 
 def _undirected(core: SketchGraph) -> str:
     """What is said where only sizes and the ground hold a shape: such shapes are seldom meant."""
-    corner = busiest_vertex(core)
-    if corner is None or core.circles or says_directions(core):
+    corner = None if core.circles or says_directions(core) else busiest_vertex(core)
+    if corner is None:
         return ""
     return f" Nothing is said to be square or parallel: begin with right angles at {corner}."
 

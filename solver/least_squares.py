@@ -15,6 +15,7 @@ model up (see CONVENTIONS.md).
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Generic, Protocol, TypeVar
@@ -31,6 +32,9 @@ X = TypeVar("X")
 #: The rising weights on the way, and the weight with which constraints are held at the end.
 PENALTIES = (1e0, 1e2, 1e4)
 LAST_PENALTY = 1e9
+#: Where constraints are off by less than this (norm) and can be held to so little, steps along
+#: them are sure, and no weight has to rise any more.
+NEARLY_HELD, HELD = 1e-2, 1e-9
 #: A gain this small against the cost moves the shape by far less than a person can draw.
 ENOUGH = 1e-11
 FIRST_DAMPING = 1e-8
@@ -147,14 +151,23 @@ def _minimise(
 ) -> Minimum[X]:
     iterations = 0
     for rho in penalties if objective.constrained else ():
-        reached = _descend(objective, x, _Phase(rho, 6, 1e-4, False), stop)
+        held = objective.restore(x) if _off(objective, x) < NEARLY_HELD else x
+        if _off(objective, held) < HELD:
+            x = held
+            break
+        reached = _descend(objective, x, _Phase(rho, 6, 1e-4, False), stop, been)
         x = reached.x
         iterations += reached.iterations
-        if been is not None and been(x):
-            return Minimum(x, iterations, False, np.inf)
+        if reached.cost == np.inf:
+            return replace(reached, iterations=iterations)
     last = replace(last, budget=max(1, last.budget - iterations))
     reached = _descend(objective, x, last, stop)
     return replace(reached, iterations=iterations + reached.iterations)
+
+
+def _off(objective: Objective[X], x: X) -> float:
+    """|h|."""
+    return math.sqrt(max(0.0, objective.merit(x, 1.0) - objective.merit(x, 0.0)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -174,7 +187,11 @@ class _Phase:
 
 
 def _descend(
-    objective: Objective[X], x: X, phase: _Phase, stop: Callable[[], bool] | None
+    objective: Objective[X],
+    x: X,
+    phase: _Phase,
+    stop: Callable[[], bool] | None,
+    been: Callable[[X], bool] | None = None,
 ) -> Minimum[X]:
     """Levenberg-Marquardt at one penalty weight."""
     mu, before = phase.damping, phase.gained
@@ -196,6 +213,8 @@ def _descend(
         if moved is not None and new_cost <= cost * (1 + 1e-14) + 1e-32:
             gain = cost - new_cost
             x, cost, at = moved, new_cost, None
+            if been is not None and been(x):
+                return Minimum(x, iteration + 1, False, np.inf)
             mu = max(mu / 10, 1e-12)
             # Near a minimum gains fall by the same factor, or faster.
             will_gain, before = gain * min(1.0, gain / max(before, 1e-300)), gain

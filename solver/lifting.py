@@ -24,7 +24,7 @@ from .initial import Start, lift_linear, views
 from .least_squares import ENOUGH, EXACT_COST, Minimum, minimise
 from .problem import Problem, build_problem
 from .solution import Solution
-from .starting.floating import floats_matter, lifts, other_depths, same_lift
+from .starting.floating import depths_along, floats_matter, lifts, same_lift
 from .starting.focal_prior import USUAL, spare_observations, tighter, usual_prior
 from .starting.warm_start import pose_from
 from .structure import Structure
@@ -272,11 +272,10 @@ def _best(
             break
     finished: list[Lifted] = []
     promising = _promising(graph, tried)
-    if len(promising) == 1 and _goes_on(promising[0]):
-        return promising[0]
+    goes_on = len(promising) == 1 and _goes_on(promising[0])
     for t in promising:
         least = min((f.minimum.cost for f in finished), default=np.inf)
-        settled = t.minimum.converged and t.minimum.cost > SETTLED * least
+        settled = goes_on or (t.minimum.converged and t.minimum.cost > SETTLED * least)
         pursuit = _Pursuit(carry_on, enough, MAX_ITERATIONS, least)
         finished.append(t if settled else seen(pursuit.of(_open(t.minimum))))
     for pose in _with_floats_moved(problem, finished, stop):
@@ -289,7 +288,7 @@ def _goes_on(only: Lifted) -> bool:
     """Whether the only reading is weighed against the usual focal length next, and ends there."""
     full, minimum = only.full, only.minimum
     weighed = full.prior is None and full.problem.log_focal_prior is None
-    return weighed and minimum.converged and minimum.cost > EXACT_COST and not full.constrained
+    return weighed and minimum.converged and minimum.cost > EXACT_COST
 
 
 def _with_floats(problem: Problem, pose: Pose, stop: Stop | None) -> list[Pose]:
@@ -300,13 +299,20 @@ def _with_floats_moved(
     problem: Problem, finished: list[Lifted], stop: Stop | None
 ) -> Iterator[Pose]:
     """With a good camera, other depths of parts that float may meet the annotations as well."""
-    if not floats_matter(problem) or any(map(_is_exact, finished)):
+    if not finished or not floats_matter(problem) or any(map(_is_exact, finished)):
         return
-    for t in sorted(finished, key=lambda t: t.minimum.cost)[:1]:
-        x = t.minimum.x
-        for g in other_depths(problem, x.R, lift_linear(problem, x.R, x.log_focal, 1e-3), stop):
-            if not same_lift(g, x.g):
-                yield replace(x, g=g)
+    x = min(finished, key=lambda t: t.minimum.cost).minimum.x
+    g = lift_linear(problem, x.R, x.log_focal, 1e-3)
+    for other in lifts(problem, x.R, g, stop):
+        if not same_lift(other, x.g):
+            yield replace(x, g=other)
+    along = depths_along(problem, x.R, g)
+    for end in (0, -1):
+        while along:
+            yield replace(x, g=along.pop(end))
+            if finished[-1].minimum.cost == np.inf:
+                # It leads to a known reading, and so does what lies between.
+                break
 
 
 def _open(minimum: Minimum[Pose]) -> Minimum[Pose]:

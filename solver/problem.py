@@ -12,7 +12,7 @@ leftover constraint
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
@@ -62,6 +62,15 @@ class Block:
         if self.wanted is None:
             return ENERGIES[self.energy](X, self.items)
         return ENERGIES[self.energy](X, self.items, self.wanted)
+
+    def squares(self, shapes: Array) -> Array:
+        """Sums of the squared residuals of several shapes (k, n, 3) at once, (k,)."""
+        k, n, _ = shapes.shape
+        apart = self.items + n * np.arange(k)[:, None, None]
+        wanted = None if self.wanted is None else np.tile(self.wanted, (k, 1))
+        all_of_them = replace(self, items=apart.reshape(-1, 4), wanted=wanted)
+        r = all_of_them.evaluate(shapes.reshape(-1, 3)).residual.reshape(k, -1)
+        return np.asarray(np.einsum("ki,ki->k", r, r))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -35,6 +35,7 @@ MAX_ITERATIONS = 25
 #: One float alone is looked at everywhere: nearer and farther by so many mean depths.
 GRID_REACH = 0.7
 N_GRID = 41
+SPREAD_REACH = 0.6
 N_SPREAD = 7
 #: Lifts that are carried on, and how much worse than the best they may meet the constraints.
 MAX_LIFTS = 3
@@ -81,18 +82,17 @@ def floats_matter(problem: Problem) -> bool:
     return n_floats(structure) >= 2
 
 
-def other_depths(problem: Problem, R: Array, g: Array, stop: Stop | None = None) -> list[Array]:
-    """Lifts under a good camera that may lead to other shapes than the one found with it.
+def depths_along(problem: Problem, R: Array, g: Array) -> list[Array]:
+    """Lifts under a good camera with one float nearer and farther, in this order; else none.
 
     A valley of the constraints alone may vanish beside a neighbour that the drawing tells apart:
-    one float is also begun from depths all along.
+    such a float is begun from depths all along.
     """
-    found = lifts(problem, R, g, stop)
-    if problem.blocks and n_floats(problem.structure) == 2:
-        search = _Search(problem, R, g, _floats(problem.structure, g, 2), stop)
-        spread = [search.at(np.array([t])) for t in np.linspace(-0.6, 0.6, N_SPREAD)]
-        found += [lift for lift in spread if search.is_ahead(lift)]
-    return found
+    if n_floats(problem.structure) != 2:
+        return []
+    search = _Search(problem, R, g, _floats(problem.structure, g, 2), None)
+    spread = [search.at(np.array([t])) for t in np.linspace(-SPREAD_REACH, SPREAD_REACH, N_SPREAD)]
+    return [lift for lift in spread if search.is_ahead(lift)]
 
 
 def same_lift(a: Array, b: Array) -> bool:
@@ -164,7 +164,7 @@ class _Search:
         count = self.N.shape[1]
         if count == 1:
             line = np.linspace(-GRID_REACH, GRID_REACH, N_GRID)
-            costs = [self.cost(np.array([t])) for t in line]
+            costs = self.costs(line)
             padded = np.array([np.inf, *costs, np.inf])
             valleys = (padded[1:-1] <= padded[:-2]) & (padded[1:-1] <= padded[2:])
             return [np.array([t]) for t in line[valleys & np.isfinite(costs)]] or [np.zeros(1)]
@@ -179,11 +179,13 @@ class _Search:
                 return
             yield self.descend(t)
 
-    def cost(self, t: Array) -> float:
-        if not self.is_ahead(self.at(t)):
-            return float(np.inf)
-        X = self.at(t)[self.coordinate]
-        return float(sum(np.sum(block.evaluate(X).residual ** 2) for block in self.blocks))
+    def costs(self, line: Array) -> Array:
+        """Of one float at all places of a line; infinite where something is behind the eye."""
+        shapes = (self.g + np.outer(line, self.N[:, 0]))[:, self.coordinate]
+        depths = shapes @ self.forward
+        ahead = depths.min(axis=1) > MIN_DEPTH * np.abs(depths).mean(axis=1)
+        total = np.sum([block.squares(shapes) for block in self.blocks], axis=0)
+        return np.where(ahead, total, np.inf)
 
     def linearised(self, t: Array) -> tuple[Array, Array]:
         X = self.at(t)[self.coordinate]

@@ -95,8 +95,6 @@ class Blame:
         A sentence for people.
     held : bool
         Whether all annotations hold all the same, and only the drawing is not followed.
-    wished : bool
-        Whether it is sizes that hold though the drawing shows others.
     sure : bool
         False where no shape was found yet that all annotations hold for, though there may be one.
     information : float
@@ -107,7 +105,6 @@ class Blame:
     message: str
     held: bool
     sure: bool = True
-    wished: bool = False
     information: float = math.inf
 
 
@@ -286,7 +283,7 @@ def blame_for_wishes(graph: SketchGraph, ids: tuple[str, ...], whole: Candidate)
     px = missed * whole.problem.px_per_unit
     missed_px = _few_digits(px)
     words = f"Solved, but {_or(ids)} contradicts the drawing, which is missed by {missed_px} px."
-    return Blame(ids, words, True, wished=True)
+    return Blame(ids, words, True)
 
 
 def _reading_again(graph: SketchGraph, other: Candidate, stop: Stop) -> Reading | None:

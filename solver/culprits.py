@@ -33,7 +33,7 @@ from .problem import conditions_of
 from .starting.rescuing import lift_as_guessed, rescued
 from .structure import Structure, build_structure
 from .values import Stop
-from .wishes import drawn_shape, fulfilled, wishes_of
+from .wishes import drawn_shape, fulfilled, sizes_of
 
 #: So many annotations are left out, at most, to show a shape where they clash.
 MAX_CULPRITS = 4
@@ -108,7 +108,7 @@ def _as_wished(
     """The shape with the sizes that keep the drawing from being met, where there are such."""
     if blamed is None and is_settled(lifted):
         return None
-    several, first = wishes_of(core), blamed.ids[:1] if blamed is not None else ()
+    several, first = tuple(sizes_of(core))[1:], blamed.ids[:1] if blamed is not None else ()
     tries = (
         [first] if all(isinstance(core.annotations[i], Length | Diameter) for i in first) else []
     )

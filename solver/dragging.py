@@ -9,11 +9,13 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from .blas_threads import one_blas_thread
+from .designing import designed_sizes, stretched
+from .diagnosis import without
 from .full import FocalPrior, FullProblem, Pose
 from .graph import SketchGraph
 from .leaning import LeaningHand, can_lean, leaning_problem, shown_hand
-from .least_squares import minimise
-from .lifting import is_unsure_of_focal, told_focal
+from .least_squares import Minimum, minimise
+from .lifting import MAX_ITERATIONS, Lifted, is_unsure_of_focal, told_focal
 from .on_found_faces import listing_named_faces
 from .placed import put_in_world
 from .problem import build_problem
@@ -49,6 +51,7 @@ class Drag:
     _expected: FocalPrior | None = None
     _spare: int | None = None
     _hand: LeaningHand | None = None
+    _sizes: tuple[str, ...] = ()
 
 
 def begin_drag(graph: SketchGraph, solution: Solution | None = None) -> Drag:
@@ -69,6 +72,9 @@ def begin_drag(graph: SketchGraph, solution: Solution | None = None) -> Drag:
 def _begun(graph: SketchGraph, solution: Solution) -> Drag:
     idle = Drag(graph, solution, topology_of(graph))
     core = without_profiles(listing_named_faces(graph, solution.faces))
+    # Sizes of the new object stretch what is drawn without them.
+    sizes = designed_sizes(core)
+    core, idle = without(core, *sizes), replace(idle, _sizes=sizes)
     structure = build_structure(core)
     if structure.contradiction:
         return idle
@@ -76,6 +82,9 @@ def _begun(graph: SketchGraph, solution: Solution) -> Drag:
     pose = pose_from(solution, core, problem)
     if pose is None:
         return idle
+    if sizes:
+        full = FullProblem(problem, None)
+        pose = minimise(full, pose, max_iterations=MAX_ITERATIONS, near=True).x
     prior = told_focal(problem)
     hand = shown_hand(problem, prior, pose) if can_lean(problem) else None
     if hand is not None:
@@ -108,7 +117,8 @@ def drag(last: Drag, graph: SketchGraph) -> Drag:
 
 
 def _moved(last: Drag, structure: Structure, pose: Pose, graph: SketchGraph) -> Drag:
-    core = without_profiles(listing_named_faces(graph, last.solution.faces))
+    whole = without_profiles(listing_named_faces(graph, last.solution.faces))
+    core = without(whole, *last._sizes)
     problem = build_problem(core, structure)
     full = FullProblem(problem, last._prior)
     if last._hand is not None:
@@ -121,8 +131,17 @@ def _moved(last: Drag, structure: Structure, pose: Pose, graph: SketchGraph) -> 
         prior = tighter(usual_prior(full, x, last._spare), last._expected)
         full = full.with_prior(prior)
         x = minimise(full, x, max_iterations=1, near=True).x
-    solution = _describe(graph, core, full, x, last.solution)
+    shown = _stretched(whole, full, x) if last._sizes else (full, x)
+    solution = _describe(graph, whole, *shown, last.solution)
     return replace(last, graph=graph, solution=solution, _pose=x, _prior=prior)
+
+
+def _stretched(core: SketchGraph, full: FullProblem, x: Pose) -> tuple[FullProblem, Pose]:
+    """With the sizes of the new object; as it is drawn where they cannot be had."""
+    near = Minimum(x, 0, True, 0.0)
+    drawn = Lifted(full.problem, full, near, True)
+    found = stretched(core, build_structure(core), drawn, lambda: False)
+    return (full, x) if found is None else (found.full, found.minimum.x)
 
 
 def _describe(

@@ -83,6 +83,8 @@ class Lifted:
         Whether another reading fits as well.
     as_guessed : bool
         Whether edges drawn along three directions are square though nobody said so.
+    drawn : Lifted or None
+        What is drawn, where sizes made another shape of it: it tells how sure all this is.
     """
 
     problem: Problem
@@ -93,6 +95,7 @@ class Lifted:
     doubtful: bool = False
     twofold: bool = False
     as_guessed: bool = False
+    drawn: Lifted | None = None
 
 
 def lift(

@@ -70,20 +70,20 @@ def describe(
     vertices, circles = placed.vertices, placed.circles
     geometry, on_faces = _with_copies(graph, vertices)
     residuals = annotation_residuals(graph, geometry.vertices, geometry.faces, circles)
-    wished = blamed is not None and blamed.wished
-    # Away from the drawing its slopes tell nothing; before the wish nothing was left open.
-    found = freedoms(lifted.full, pose, [*core.vertices, *core.circles])
-    open_ = Freedoms.none() if wished else found
+    # Away from the drawing its slopes tell nothing.
+    seen = lifted.drawn or lifted
+    told = seen.minimum.x
+    open_ = freedoms(seen.full, told, [*core.vertices, *core.circles])
     extent = rows_of(vertices)
     if circles:
         extent = np.vstack([extent, *(c.center_mm for c in circles.values())])
     conflicts = unmet_annotations(residuals, size_of(extent))
-    errors = None if open_.count else standard_errors(lifted.full, pose)
+    errors = None if open_.count else standard_errors(seen.full, told)
     sigmas = np.zeros(0) if errors is None else errors.lengths
     if errors is not None and errors.log_focal > UNSURE_FOCAL_SIGMA:
-        lifted = replace(lifted, focal_assumed=_is_expected(lifted))
+        seen = replace(seen, focal_assumed=_is_expected(seen))
     unsure = bool(np.sqrt(np.mean(sigmas**2)) > UNSURE_SIZE_SIGMA) if len(sigmas) else False
-    status, message = _verdict(graph, core, lifted, open_, conflicts, wished=wished)
+    status, message = _verdict(graph, core, seen, open_, conflicts)
     if status is Status.CONVERGED and unsure:
         message += UNSURE
     if status is Status.CONVERGED and core.camera is not None:
@@ -95,7 +95,7 @@ def describe(
         conflicts = ()
     if status is not Status.UNDERDETERMINED:
         message += _undirected(core)
-    if lifted.focal_assumed and "focal length" not in message:
+    if seen.focal_assumed and "focal length" not in message:
         message += UNTOLD_FOCAL
     return Solution(
         graph,
@@ -114,7 +114,7 @@ def describe(
             reprojection_px=placed.reprojection_px(graph),
             conflicts=conflicts,
             iterations=lifted.minimum.iterations,
-            focal_assumed=lifted.focal_assumed,
+            focal_assumed=seen.focal_assumed,
             size_sigma=dict(zip(core.edges, sigmas.tolist(), strict=False)),
             unsure=unsure,
         ),
@@ -127,8 +127,6 @@ def _verdict(
     lifted: Lifted,
     open_: Freedoms,
     conflicts: tuple[str, ...],
-    *,
-    wished: bool,
 ) -> tuple[Status, str]:
     if conflicts and lifted.minimum.converged and _are_sizes(graph, conflicts):
         return Status.CONFLICTING, f"{_and(conflicts[:4])} cannot all hold: take one of them away."
@@ -142,7 +140,7 @@ def _verdict(
     if open_.count:
         return Status.UNDERDETERMINED, _what_would_help(core, lifted, open_)
     misfit = float(np.sqrt(lifted.minimum.cost / max(1, len(lifted.full.coordinate))))
-    if not lifted.minimum.converged or (misfit > LOST_MISFIT and not wished):
+    if not lifted.minimum.converged or misfit > LOST_MISFIT:
         return (
             Status.NOT_CONVERGED,
             "The drawing and the annotations are too far apart: check the annotations.",

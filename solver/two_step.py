@@ -15,9 +15,10 @@ from functools import partial
 
 import numpy as np
 
-from .blaming import MAX_COORDINATES, MAX_NUMBERS, needs_a_closer_look
+from .blaming import MAX_COORDINATES, MAX_NUMBERS, Blame, needs_a_closer_look
 from .blas_threads import one_blas_thread
 from .culprits import lift_or_blame, lift_without_culprit
+from .designing import as_designed
 from .diagnosis import disagree
 from .effort import Effort
 from .graph import SketchGraph
@@ -100,13 +101,24 @@ def _solve(graph: SketchGraph, start: Solution | None, effort: Effort, *, twin: 
         return too_free(graph, f"{conditions} conditions on {n} coordinates are left")
     effort.weigh(structure.n_coordinates + conditions)
     effort.doing("looking for the camera and the shape", 0.1)
-    near = None if start is None else _lift_near(core, structure, start, effort)
-    if near is not None and not needs_a_closer_look(core, near, dragging=True):
-        return describe(graph, core, _reading_asked_for(core, near, effort, twin=twin))
-    lifted, blamed = lift_or_blame(core, structure, effort)
+    lift = partial(_lift_or_blame, start, effort)
+    designed = as_designed(core, structure, lift, effort)
+    if designed is not None:
+        return describe(graph, core, *designed)
+    lifted, blamed = lift(core, structure)
     if lifted is None:
         return lost(graph)
     return describe(graph, core, _reading_asked_for(core, lifted, effort, twin=twin), blamed)
+
+
+def _lift_or_blame(
+    start: Solution | None, effort: Effort, core: SketchGraph, structure: Structure
+) -> tuple[Lifted | None, Blame | None]:
+    """The shape, from a solution that is known where that leads to a good one."""
+    near = None if start is None else _lift_near(core, structure, start, effort)
+    if near is not None and not needs_a_closer_look(core, near, dragging=True):
+        return near, None
+    return lift_or_blame(core, structure, effort)
 
 
 def _lift_near(

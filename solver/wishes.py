@@ -3,18 +3,19 @@
 Terms
 -----
 size
-    A length or a diameter that is said. The first one tells how big everything is; each further
-    one is a proportion, which the drawing tells as well.
+    A length or a diameter that is said. The first one tells how big everything is, where no known
+    camera does; each further one is a proportion, which the drawing tells as well.
 wish
     A size that contradicts the drawing. It is no mistake but a design: the camera stays that of the
     drawing, and the shape is stretched, in steps, as if all edges were elastic bars: what need not
-    change does not, and what lies along a wished size changes in proportion.
+    change does not, what lies along a wished size changes in proportion, and what is traced stays.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from operator import itemgetter
 
 import numpy as np
 from scipy.sparse import bmat, csc_array, identity
@@ -29,20 +30,32 @@ from .least_squares import MAX_DENSE, Minimum
 from .lifting import Lifted, lift
 from .problem import build_problem
 from .structure import Structure, build_structure
-from .values import Array, Stop
-from .world import camera_above_ground
+from .topology import topology_of
+from .values import Array, IntArray, Stop
+from .world import camera_above_ground, ground_indices
 
 #: In one step sizes change by so much against each other, logarithm of the ratio.
 STRIDE = 0.2
 #: Newton steps onto the constraints, at each.
 MAX_STEPS = 12
+#: What is traced is really there: it gives way so many times less than what is imagined.
+TRACED_STIFFNESS = 1e4
 
 
-def wishes_of(graph: SketchGraph) -> tuple[str, ...]:
-    """The annotations that say sizes, but for the first length or else diameter."""
-    lengths = [id_ for id_, a in graph.annotations.items() if isinstance(a, Length)]
-    diameters = [id_ for id_, a in graph.annotations.items() if isinstance(a, Diameter)]
-    return tuple([*lengths, *diameters][1:])
+def sizes_of(graph: SketchGraph) -> dict[str, bool]:
+    """The annotations that say sizes, and whether of what is traced: such first, and lengths."""
+    traced = _traced(graph)
+    said = topology_of(graph).by_kind
+    found = {id_: a.edge in traced for id_, a in said["length"]}
+    found |= {id_: a.circle in traced for id_, a in said["diameter"]}
+    return dict(sorted(found.items(), key=itemgetter(1), reverse=True))
+
+
+def _traced(graph: SketchGraph) -> frozenset[str]:
+    """Construction that is drawn on real things, no line of dimension between made vertices."""
+    helping = set(graph.construction)
+    made = {v for id_, ends in graph.edges.items() if id_ not in helping for v in ends}
+    return frozenset(id_ for id_ in helping if not made.issuperset(graph.edges.get(id_, ("",))))
 
 
 def drawn_shape(graph: SketchGraph, wishes: tuple[str, ...], stop: Stop) -> Lifted | None:
@@ -56,7 +69,14 @@ def drawn_shape(graph: SketchGraph, wishes: tuple[str, ...], stop: Stop) -> Lift
     return None if freedoms(lifted.full, lifted.minimum.x, names).count else lifted
 
 
-def fulfilled(graph: SketchGraph, structure: Structure, drawn: Lifted, stop: Stop) -> Lifted | None:
+def fulfilled(
+    graph: SketchGraph,
+    structure: Structure,
+    drawn: Lifted,
+    stop: Stop,
+    *,
+    eye_mm: float | None = None,
+) -> Lifted | None:
     """The shape with the wished sizes, seen by the drawing's camera; None where none was found.
 
     Parameters
@@ -64,36 +84,84 @@ def fulfilled(graph: SketchGraph, structure: Structure, drawn: Lifted, stop: Sto
     graph : SketchGraph
     structure : Structure
     drawn : Lifted
-        What `drawn_shape` gave.
+        The shape without them, such as `drawn_shape` gives.
     stop : callable
+    eye_mm : float, optional
+        How high over the ground a known camera is, where that tells how big everything is.
     """
-    measured = _measured(graph, drawn)
-    n = 1 + int(_farthest(graph, measured) / STRIDE)
     x = _beginning(graph, structure, drawn)
+    scale = _scale_of(graph, structure, x, eye_mm)
+    measured = _measured_mm(graph, structure, x, scale.unit_mm)
+    n = 1 + int(_farthest(graph, measured) / STRIDE)
     for k in range(1, n + 1):
-        full = FullProblem(build_problem(_on_the_way(graph, measured, k / n), structure), None)
-        before, x = x, _nearest(full, x, stop)
-        if stop() or _worst(full, x) > HELD or _turns_over(full, before, x):
+        on_the_way = _on_the_way(graph, measured, k / n)
+        full = FullProblem(build_problem(on_the_way, structure), None)
+        before, x = x, _nearest(on_the_way, full, x, scale, stop)
+        off = [*full.constraints(x)[0], *scale.rows(on_the_way, structure, x)[0]]
+        held = np.abs(off).max(initial=0.0) < HELD and _is_before_the_eye(full, x)
+        if stop() or not held or _turns_over(full, before, x):
             return None
     n_iterations = drawn.minimum.iterations + n
     minimum = Minimum(x, n_iterations, True, full.merit(x, 0.0))
-    return Lifted(full.problem, full, minimum, camera_above_ground(graph, full.problem, x))
+    above = camera_above_ground(graph, full.problem, x)
+    return Lifted(full.problem, full, minimum, above, drawn=drawn)
 
 
-def _nearest(full: FullProblem, x: Pose, stop: Stop) -> Pose:
-    """The shape with the constraints held that is stretched least, the reference size kept."""
-    wanted = _reference_size(full, x)[0]
+@dataclass(frozen=True, slots=True)
+class _Scale:
+    """How big everything is, while shapes are stretched.
+
+    Parameters
+    ----------
+    first : str
+        The annotation of the size that is told in mm; all others are told by their ratios to it.
+    unit_mm : float
+        Of the shared coordinates.
+    ground : int or None
+        The coordinate of the ground, which stays under a known camera.
+    level : float
+    """
+
+    first: str
+    unit_mm: float
+    ground: int | None = None
+    level: float = 1.0
+
+    def rows(self, graph: SketchGraph, structure: Structure, x: Pose) -> tuple[Array, Array]:
+        """How far the first size is off, and the ground, in parts; derivatives by coordinates."""
+        wanted = _said_mm(graph.annotations[self.first]) / self.unit_mm
+        size, by_g = _size_at(graph, structure, x, self.first)
+        h, H = [size / wanted - 1], [by_g / wanted]
+        if self.ground is not None:
+            h.append(float(x.g[self.ground]) / self.level - 1)
+            H.append(np.eye(1, len(x.g), self.ground)[0] / self.level)
+        return np.array(h), np.array(H)
+
+
+def _scale_of(graph: SketchGraph, structure: Structure, x: Pose, eye_mm: float | None) -> _Scale:
+    first = next(iter(sizes_of(graph)))
+    if eye_mm is None or structure.vertical is None:
+        said_mm = _said_mm(graph.annotations[first])
+        return _Scale(first, said_mm / _size_at(graph, structure, x, first)[0])
+    # All of the ground shares one coordinate, and the eye is at the origin.
+    ground = int(structure.coordinate[ground_indices(graph)[0], structure.vertical])
+    level = float(x.g[ground])
+    return _Scale(first, eye_mm / abs(level), ground, level)
+
+
+def _nearest(graph: SketchGraph, full: FullProblem, x: Pose, scale: _Scale, stop: Stop) -> Pose:
+    """The shape with the constraints held that is stretched least."""
     for _ in range(MAX_STEPS):
         h, H = full.constraints(x)
-        size, by_g = _reference_size(full, x)
-        h, H = np.append(h, (size - wanted) / wanted), np.vstack([H[:, 4:], by_g / wanted])
+        own, by_g = scale.rows(graph, full.problem.structure, x)
+        h, H = np.append(h, own), np.vstack([H[:, 4:], by_g])
         if float(np.abs(h).max()) < 1e-15 or stop():
             break
-        x = replace(x, g=x.g + _gentlest_step(h, H, _strain(full, x)))
+        x = replace(x, g=x.g + _gentlest_step(h, H, _strain(graph, full, x)))
     return x
 
 
-def _strain(full: FullProblem, x: Pose) -> Array:
+def _strain(graph: SketchGraph, full: FullProblem, x: Pose) -> Array:
     """What a change of the coordinates does to edges and radii; its square is elastic energy."""
     at = full.coordinate[full.problem.ends]
     first, second = at[:, 0].reshape(-1), at[:, 1].reshape(-1)
@@ -105,7 +173,19 @@ def _strain(full: FullProblem, x: Pose) -> Array:
     np.add.at(E, (rows, second), 1 / roots)
     np.add.at(E, (rows, first), -1 / roots)
     E[len(first) + np.arange(len(radius)), radius] = 1 / np.sqrt(np.maximum(x.g[radius], 1e-12))
-    return E
+    real = _traced_coordinates(graph, full)
+    stays = np.zeros((len(real), full.m))
+    stays[np.arange(len(real)), real] = TRACED_STIFFNESS * float(np.abs(E).max(initial=1.0))
+    return np.vstack([E, stays])
+
+
+def _traced_coordinates(graph: SketchGraph, full: FullProblem) -> IntArray:
+    """The shared coordinates of what is traced: it is where it is."""
+    traced = _traced(graph)
+    ends = full.problem.ends[[id_ in traced for id_ in graph.edges]]
+    circles = np.flatnonzero([id_ in traced for id_ in graph.circles])
+    at = full.coordinate[[*ends.reshape(-1), *(full.n_vertices + circles)]]
+    return np.unique(np.append(at, full.problem.structure.radius[circles])).astype(np.int64)
 
 
 def _gentlest_step(h: Array, H: Array, E: Array) -> Array:
@@ -123,25 +203,8 @@ def _gentlest_step(h: Array, H: Array, E: Array) -> Array:
     return np.asarray(splu(system).solve(right)[:n])
 
 
-def _reference_size(full: FullProblem, x: Pose) -> tuple[float, Array]:
-    """What the first size measures, up to one common factor, and its derivatives."""
-    diameters = full.problem.diameters
-    by_g = np.zeros(full.m)
-    if diameters.reference_edge is None:
-        by_g[diameters.reference_radius] = 2.0
-        return 2 * float(x.g[diameters.reference_radius]), by_g
-    v, w = full.coordinate[diameters.reference_edge]
-    along = x.g[w] - x.g[v]
-    size = float(np.linalg.norm(along))
-    np.add.at(by_g, w, along / size)
-    np.add.at(by_g, v, -along / size)
-    return size, by_g
-
-
-def _worst(full: FullProblem, x: Pose) -> float:
-    h, _ = full.constraints(x)
-    depth = full.positions(x) @ x.R[2]
-    return float(np.abs(h).max(initial=0.0)) if depth.min(initial=1.0) > 0 else np.inf
+def _is_before_the_eye(full: FullProblem, x: Pose) -> bool:
+    return bool((full.positions(x) @ x.R[2] > 0).all())
 
 
 def _turns_over(full: FullProblem, before: Pose, after: Pose) -> bool:
@@ -153,32 +216,40 @@ def _turns_over(full: FullProblem, before: Pose, after: Pose) -> bool:
 
 def _farthest(graph: SketchGraph, measured: Mapping[str, float]) -> float:
     """How far sizes are from those that are drawn: the range of the logarithms of their ratios."""
-    ratios = [_size_mm(graph.annotations[id_]) / size for id_, size in measured.items()]
-    return float(np.ptp(np.log(ratios)))
+    ratios = [_said_mm(graph.annotations[id_]) / size for id_, size in measured.items()]
+    return float(np.ptp(np.log([1.0, *ratios])))
 
 
 def _beginning(graph: SketchGraph, structure: Structure, drawn: Lifted) -> Pose:
     x = drawn.minimum.x
+    if np.array_equal(structure.coordinate, drawn.problem.structure.coordinate):
+        return x
     in_cam = drawn.full.positions(x) @ x.R.T
     problem = build_problem(graph, structure)
     return pose_near(problem, in_cam, x.g[drawn.problem.structure.radius], x.log_focal)
 
 
-def _measured(graph: SketchGraph, drawn: Lifted) -> Mapping[str, float]:
-    """What the drawing shows the sizes to be, up to one common factor."""
-    x = drawn.minimum.x
-    X = drawn.full.positions(x)
-    vertex = {v: k for k, v in enumerate(graph.vertices)}
-    radii = x.g[drawn.problem.structure.radius].tolist()
-    radius = dict(zip(graph.circles, radii, strict=True))
-    found: dict[str, float] = {}
-    for id_, annotation in graph.annotations.items():
-        if isinstance(annotation, Length):
-            v, w = graph.edges[annotation.edge]
-            found[id_] = float(np.linalg.norm(X[vertex[v]] - X[vertex[w]]))
-        elif isinstance(annotation, Diameter):
-            found[id_] = 2 * radius[annotation.circle]
-    return found
+def _measured_mm(
+    graph: SketchGraph, structure: Structure, x: Pose, unit_mm: float
+) -> Mapping[str, float]:
+    """What the sizes are in a pose."""
+    return {id_: unit_mm * _size_at(graph, structure, x, id_)[0] for id_ in sizes_of(graph)}
+
+
+def _size_at(graph: SketchGraph, structure: Structure, x: Pose, id_: str) -> tuple[float, Array]:
+    """What an annotation's size measures, in the pose's unit, and its derivatives."""
+    said, topology, by_g = graph.annotations[id_], topology_of(graph), np.zeros(len(x.g))
+    if isinstance(said, Diameter):
+        radius = structure.radius[topology.circles[said.circle]]
+        by_g[radius] = 2.0
+        return 2 * float(x.g[radius]), by_g
+    assert isinstance(said, Length)
+    v, w = structure.coordinate[topology.ends[topology.edges[said.edge]]]
+    along = x.g[w] - x.g[v]
+    size = float(np.linalg.norm(along))
+    np.add.at(by_g, w, along / size)
+    np.add.at(by_g, v, -along / size)
+    return size, by_g
 
 
 def _on_the_way(graph: SketchGraph, measured: Mapping[str, float], part: float) -> SketchGraph:
@@ -188,7 +259,7 @@ def _on_the_way(graph: SketchGraph, measured: Mapping[str, float], part: float) 
     changed: dict[str, Annotation] = {}
     for id_, size in measured.items():
         said = graph.annotations[id_]
-        wanted = float(size ** (1 - part) * _size_mm(said) ** part)
+        wanted = float(size ** (1 - part) * _said_mm(said) ** part)
         if isinstance(said, Length):
             changed[id_] = replace(said, length_mm=wanted)
         elif isinstance(said, Diameter):
@@ -196,7 +267,7 @@ def _on_the_way(graph: SketchGraph, measured: Mapping[str, float], part: float) 
     return replace(graph, annotations={**graph.annotations, **changed})
 
 
-def _size_mm(annotation: Annotation) -> float:
+def _said_mm(annotation: Annotation) -> float:
     """The size that an annotation says; 0 where it says none."""
     if isinstance(annotation, Length):
         return annotation.length_mm

@@ -11,6 +11,7 @@ from asserts import assert_annotations_hold
 from incontext.solver import solve
 from incontext.solver.annotations import EqualLength, Length, SymmetryPlane
 from incontext.solver.camera import Camera
+from incontext.solver.dimensions.lengths import set_size, sizes_mm
 from incontext.solver.dragging import begin_drag, drag
 from incontext.solver.graph import SketchGraph
 from incontext.solver.problem import build_problem
@@ -162,3 +163,14 @@ def test_a_start_that_leads_nowhere_is_left():
     assert greatest_difference(solve(graph, start=other), solve(graph)) < 1e-9
     nothing = solve(SketchGraph())
     assert greatest_difference(solve(graph, start=nothing), solve(graph)) == 0.0
+
+
+@pytest.mark.parametrize("factor", [0.7, 1.3])
+def test_under_a_known_camera_a_size_stays_and_so_does_the_camera(factor):
+    photo = photograph(box().without("length"), np.random.default_rng(4), noise=0.004)
+    graph = replace(photo.graph, camera=photo.camera)
+    size = factor * sizes_mm(solve(graph))["e0"]
+    now = dragged(set_size(graph, "e0", size), "v6", (9.0, -6.0))
+    assert now.solution.camera.to_json() == photo.camera.to_json()
+    assert sizes_mm(now.solution)["e0"] == pytest.approx(size, abs=1e-6)
+    assert greatest_difference(now.solution, solve(now.graph)) < 1e-3

@@ -7,10 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from asserts import assert_annotations_hold, assert_solved
-from scenes import LID, bookshelf, box, photograph, photograph_turned, v
+from scenes import LID, bookshelf, box, photograph, photograph_turned, v, with_traced_box
 
 from incontext.solver import solve
-from incontext.solver.annotations import Length
+from incontext.solver.dimensions.lengths import set_size
+from incontext.solver.solution import Status
 
 
 @pytest.mark.parametrize("make", [box, bookshelf])
@@ -62,16 +63,67 @@ def test_a_length_and_the_camera_hold_together_where_they_agree(make):
     np.testing.assert_allclose(found, photo.shape.X, atol=1e-6)
 
 
-def test_a_length_that_disagrees_with_the_camera_holds_and_says_how_far():
-    shape = box()
-    said = {**shape.annotations, "length": Length("e0", 220.0)}  # 10 % too long
-    photo = photograph(replace(shape, annotations=said), np.random.default_rng(4))
-    solution = solve(replace(photo.graph, camera=photo.camera))
+def sketched(shape):
+    """A careless sketch whose camera is known; no size is said."""
+    photo = photograph(shape.without("length"), np.random.default_rng(3), noise=0.005)
+    return replace(photo.graph, camera=photo.camera)
+
+
+@pytest.mark.parametrize("factor", [0.3, 0.9, 1.02, 1.1, 2.0])
+@pytest.mark.parametrize("make", [box, bookshelf])
+def test_a_size_changes_that_size_alone_and_the_camera_stays(make, factor):
+    """The marker tells the scale: a size is no scale, but what the new object is to have."""
+    drawn = solve(sketched(make()))
+    before = along(drawn, "e0")
+    direction, wished = before / np.linalg.norm(before), factor * np.linalg.norm(before)
+    solution = solve(set_size(drawn.sketch, "e0", wished))
+    assert solution.status is Status.CONVERGED, solution.message
+    assert not solution.scale_assumed
+    assert solution.camera.to_json() == drawn.camera.to_json()
+    moved = {v: x - drawn.vertices_mm[v] for v, x in solution.vertices_mm.items()}
+    assert along(solution, "e0") == pytest.approx(wished * direction, abs=1e-3)
+    # All moved along that size only, and as far one way as the other: it stands where it stood.
+    moves = np.array(list(moved.values()))
+    way = moves @ direction
+    np.testing.assert_allclose(moves - np.outer(way, direction), 0.0, atol=1e-3)
+    assert way.max() + way.min() == pytest.approx(0.0, abs=0.02 * abs(wished - wished / factor))
+
+
+def along(solution, edge):
+    v, w = solution.sketch.edges[edge]
+    return solution.vertices_mm[w] - solution.vertices_mm[v]
+
+
+def test_a_size_far_from_the_drawn_one_is_named():
+    drawn = sketched(box())
+    assert solve(set_size(drawn, "e0", 210.0)).report.conflicts == ()
+    named = solve(set_size(drawn, "e0", 500.0))
+    (conflict,) = named.report.conflicts
+    assert conflict in named.message
+    assert named.status is Status.CONVERGED
+
+
+def test_a_length_of_a_traced_thing_sets_the_scale_before_the_camera_does():
+    """It was measured; it holds, and how far the camera is off is said."""
+    photo = photograph(box().without("length"), np.random.default_rng(4))
+    traced = with_traced_box(photo, np.random.default_rng(1), trace_px=0.5)
+    graph = replace(traced.graph, camera=photo.camera)
+    plain = solve(graph)
+    edge = graph.construction[0]
+    longer = 1.1 * float(np.linalg.norm(along(plain, edge)))
+    solution = solve(set_size(graph, edge, longer))
     assert_solved(solution)
-    X = solution.vertices_mm
-    assert np.linalg.norm(X["v1"] - X["v0"]) == pytest.approx(220.0, abs=1e-6)
     off = 0.1 * photo.camera.position_mm[2]
     assert f"{off:.3g} mm (10 %)" in solution.message
+    # What is then said of the new object changes that alone.
+    wished = 1.2 * float(np.linalg.norm(along(solution, "e0")))
+    both = solve(set_size(solution.sketch, "e0", wished))
+    assert np.linalg.norm(along(both, "e0")) == pytest.approx(wished, abs=1e-6)
+    np.testing.assert_allclose(
+        [along(both, e) for e in graph.construction],
+        [along(solution, e) for e in graph.construction],
+        atol=0.05,
+    )
 
 
 def test_a_lid_under_a_known_camera():

@@ -1,9 +1,9 @@
-"""Sizes said of the new object under a camera that tells the scale: they change that size alone.
+"""Sizes said of the new object where something real tells the scale: they change that alone.
 
-A camera known from a marker tells how big everything is. So no size is needed to set the scale, and
-one that is said is a wish: the shape is what the drawing shows without it, stretched to it, and
-stands where it was drawn. What was measured on a traced thing is no wish: it sets the scale, before
-the camera's height does.
+A camera known from a marker, or a size measured on a traced thing, tells how big everything is. So
+no size of the new object is needed for that, and one that is said is a wish: the shape is what the
+drawing shows without it, stretched to it, and stands where it was drawn. Nor does it tell anything
+of the camera. Where both are there, what was measured comes before the camera's height.
 """
 
 from __future__ import annotations
@@ -27,10 +27,19 @@ Lifting = Callable[[SketchGraph, Structure], tuple[Lifted | None, Blame | None]]
 
 
 def designed_sizes(graph: SketchGraph) -> tuple[str, ...]:
-    """The annotations that say sizes of the new object, where a known camera tells the scale."""
-    if graph.camera is None or graph.camera.position_mm[2] <= 0 or not ground_indices(graph):
+    """The annotations that say sizes of the new object, where something real tells the scale."""
+    sizes = sizes_of(graph)
+    if not any(sizes.values()) and _eye_mm(graph) is None:
         return ()
-    return tuple(id_ for id_, is_traced in sizes_of(graph).items() if not is_traced)
+    return tuple(id_ for id_, is_traced in sizes.items() if not is_traced)
+
+
+def _eye_mm(graph: SketchGraph) -> float | None:
+    """How high over the ground a known camera is; None where that tells nothing."""
+    if graph.camera is None or not ground_indices(graph):
+        return None
+    height_mm = float(graph.camera.position_mm[2])
+    return height_mm if height_mm > 0 else None
 
 
 def as_designed(
@@ -59,18 +68,16 @@ def as_designed(
     return found, _changed_by(graph, sizes, drawn, found)
 
 
-def stretched(
-    graph: SketchGraph, structure: Structure, drawn: Lifted, stop: Stop
-) -> Lifted | None:
+def stretched(graph: SketchGraph, structure: Structure, drawn: Lifted, stop: Stop) -> Lifted | None:
     """The shape that is drawn, with the sizes of the new object."""
-    problem, x = drawn.problem, drawn.minimum.x
-    if problem.up_in_cam is None or graph.camera is None or not is_settled(drawn):
+    if not is_settled(drawn) or not drawn.above:
         return None
-    if freedoms(drawn.full, x, [*graph.vertices, *graph.circles]).count:
+    if freedoms(drawn.full, drawn.minimum.x, [*graph.vertices, *graph.circles]).count:
         return None
-    by_camera = not any(sizes_of(graph).values())
-    eye_mm = float(graph.camera.position_mm[2]) if by_camera else None
-    return fulfilled(graph, structure, drawn, stop, eye_mm=eye_mm)
+    if any(sizes_of(graph).values()):
+        return fulfilled(graph, structure, drawn, stop)
+    eye_mm = None if drawn.problem.up_in_cam is None else _eye_mm(graph)
+    return None if eye_mm is None else fulfilled(graph, structure, drawn, stop, eye_mm=eye_mm)
 
 
 def _changed_by(

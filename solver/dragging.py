@@ -15,7 +15,7 @@ from .full import FocalPrior, FullProblem, Pose
 from .graph import SketchGraph
 from .leaning import LeaningHand, can_lean, leaning_problem, shown_hand
 from .least_squares import Minimum, minimise
-from .lifting import MAX_ITERATIONS, Lifted, is_unsure_of_focal, told_focal
+from .lifting import Lifted, is_unsure_of_focal, told_focal
 from .on_found_faces import listing_named_faces
 from .placed import put_in_world
 from .problem import build_problem
@@ -79,12 +79,9 @@ def _begun(graph: SketchGraph, solution: Solution) -> Drag:
     if structure.contradiction:
         return idle
     problem = build_problem(core, structure)
-    pose = pose_from(solution, core, problem)
+    pose = pose_from(solve(without(graph, *sizes)) if sizes else solution, core, problem)
     if pose is None:
         return idle
-    if sizes:
-        full = FullProblem(problem, None)
-        pose = minimise(full, pose, max_iterations=MAX_ITERATIONS, near=True).x
     prior = told_focal(problem)
     hand = shown_hand(problem, prior, pose) if can_lean(problem) else None
     if hand is not None:

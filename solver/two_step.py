@@ -101,24 +101,31 @@ def _solve(graph: SketchGraph, start: Solution | None, effort: Effort, *, twin: 
         return too_free(graph, f"{conditions} conditions on {n} coordinates are left")
     effort.weigh(structure.n_coordinates + conditions)
     effort.doing("looking for the camera and the shape", 0.1)
-    lift = partial(_lift_or_blame, start, effort)
+    lift = partial(_lift_or_blame, start, effort, twin=twin)
     designed = as_designed(core, structure, lift, effort)
     if designed is not None:
         return describe(graph, core, *designed)
     lifted, blamed = lift(core, structure)
     if lifted is None:
         return lost(graph)
-    return describe(graph, core, _reading_asked_for(core, lifted, effort, twin=twin), blamed)
+    return describe(graph, core, lifted, blamed)
 
 
 def _lift_or_blame(
-    start: Solution | None, effort: Effort, core: SketchGraph, structure: Structure
+    start: Solution | None,
+    effort: Effort,
+    core: SketchGraph,
+    structure: Structure,
+    *,
+    twin: bool,
 ) -> tuple[Lifted | None, Blame | None]:
-    """The shape, from a solution that is known where that leads to a good one."""
-    near = None if start is None else _lift_near(core, structure, start, effort)
-    if near is not None and not needs_a_closer_look(core, near, dragging=True):
-        return near, None
-    return lift_or_blame(core, structure, effort)
+    """The reading asked for, from a solution that is known where that leads to a good one."""
+    blamed, lifted = None, None if start is None else _lift_near(core, structure, start, effort)
+    if lifted is None or needs_a_closer_look(core, lifted, dragging=True):
+        lifted, blamed = lift_or_blame(core, structure, effort)
+    if lifted is None:
+        return None, None
+    return _reading_asked_for(core, lifted, effort, twin=twin), blamed
 
 
 def _lift_near(

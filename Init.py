@@ -38,7 +38,7 @@ if "incontext" not in _sys.modules:
     import FreeCAD as _FreeCAD
 
     for _kind in (
-        "Plates to cut - Modeling in Context (*.dxf *.svg *.pdf)",
-        "Solid to print - Modeling in Context (*.stl *.3mf)",
+        "Plates to cut - Modeling in Context (*.dxf *.svg *.pdf *.step)",
+        "Solid to print - Modeling in Context (*.stl *.3mf *.step)",
     ):
         _FreeCAD.addExportType(_kind, "incontext.workbench.features.exporting")

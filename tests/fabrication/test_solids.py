@@ -4,7 +4,6 @@ import io
 import itertools
 import zipfile
 
-import cadquery as cq
 import lib3mf
 import numpy as np
 import pytest
@@ -26,7 +25,7 @@ from incontext.workbench.fabrication.meshes import (
     stl_bytes,
     threemf_bytes,
 )
-from incontext.workbench.fabrication.solids import plates_step_bytes, shape_step_bytes
+from incontext.workbench.fabrication.solids import shape_step_bytes
 
 HEXAGON = [(50, 0), (150, 0), (205, 85), (150, 180), (45, 170), (0, 90)]
 
@@ -48,19 +47,6 @@ def test_the_kernel_sees_no_overlap_and_no_void():
         assert sum(solid.Volume() for solid in shared.Solids()) <= 1e-6
     whole = solids[0].fuse(*solids[1:])
     assert whole.Volume() == pytest.approx(shapes.wall_volume("bookshelf", "inside"), rel=1e-9)
-
-
-def test_step_has_the_plates_by_name_and_the_same_bytes_twice(tmp_path):
-    plates = make_plates(shapes.tray())
-    step = plates_step_bytes(plates, "tray")
-    assert step == plates_step_bytes(plates, "tray")
-    for plate in plates:
-        assert f"PRODUCT('{plate.id}'".encode() in step
-    file = tmp_path / "tray.step"
-    file.write_bytes(step)
-    read = cq.importers.importStep(str(file))
-    volume = sum(solid.Volume() for solid in read.solids().vals())
-    assert volume == pytest.approx(shapes.wall_volume("tray", "inside"), rel=1e-9)
 
 
 @pytest.mark.parametrize("turned", [None, 6])

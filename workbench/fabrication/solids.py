@@ -1,4 +1,4 @@
-"""Plates as solids in the world, and STEP. The only home of the raw kernel besides the shell.
+"""Plates as solids in the world, and any solid as STEP. The raw kernel is here and in the shell.
 
 One prism a plate from its finished outline: cutting fingers one by one takes a thousand times as
 long.
@@ -6,7 +6,6 @@ long.
 
 from __future__ import annotations
 
-import itertools
 import re
 import tempfile
 from collections.abc import Sequence
@@ -69,41 +68,15 @@ def assemble(plates: Sequence[Plate]) -> cq.Compound:
     return cq.Compound.makeCompound([plate_solid(plate) for plate in plates])
 
 
-def plates_step_bytes(plates: Sequence[Plate], name: str = "plates") -> bytes:
-    """The plates put together as STEP, each with its own name."""
-    import cadquery as cq
-
-    # No colours: the kernel writes them in another order each time.
-    assembly = cq.Assembly(name=name)
-    for plate in plates:
-        assembly.add(plate_solid(plate), name=plate.id)
-    return _step_bytes(assembly)
-
-
 def shape_step_bytes(shape: cq.Shape, name: str = "solid") -> bytes:
-    """A shape as STEP."""
+    """A shape as STEP: the same bytes for the same shape."""
     import cadquery as cq
 
-    return _step_bytes(cq.Assembly(shape, name=name))
-
-
-def _step_bytes(assembly: cq.Assembly) -> bytes:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "out.step"
         # Curves on surfaces are a third of the file, and planes need none.
-        assembly.export(str(path), exportType="STEP", write_pcurves=False)
+        cq.Assembly(shape, name=name).export(str(path), exportType="STEP", write_pcurves=False)
         if not path.is_file():
             raise FabricationError("the STEP file could not be written", (), "another format")
         text = path.read_bytes()
-    return _without_chance(text)
-
-
-def _without_chance(text: bytes) -> bytes:
-    """The same STEP text for the same shapes: no time of writing, no count of earlier files."""
-    numbers = itertools.count(1)
-    text = re.sub(rb"'\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d'", b"'2000-01-01T00:00:00'", text)
-    return re.sub(
-        rb"(NEXT_ASSEMBLY_USAGE_OCCURRENCE\(')\d+'",
-        lambda found: found[1] + str(next(numbers)).encode() + b"'",
-        text,
-    )
+    return re.sub(rb"'\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d'", b"'2000-01-01T00:00:00'", text)

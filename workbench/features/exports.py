@@ -8,7 +8,6 @@ format
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -64,16 +63,16 @@ def plate_file(plate_set: Any, sheets: Sequence[Sheet], ending: str) -> bytes:
     from ..fabrication.pdf import pdf_bytes
     from ..fabrication.plates_json import plates_json_bytes
     from ..fabrication.presets import load_preset
+    from ..fabrication.step_file import plates_step_bytes
     from ..fabrication.svg import svg_bytes
 
     shop, plates = shop_settings_of(plate_set), joined_of(plate_set).plates
     preset = load_preset(shop.preset)
-    if ending == ".step":
-        return _step_bytes(plates)
     make: dict[str, Callable[[], bytes]] = {
         ".dxf": lambda: dxf_bytes(sheets, preset),
         ".svg": lambda: svg_bytes(sheets, preset),
         ".pdf": lambda: pdf_bytes(sheets, preset, shop.page),
+        ".step": lambda: plates_step_bytes(plates, plate_set.Label),
         ".plates.json": lambda: plates_json_bytes(plates),
         ".parts.csv": lambda: parts_csv_bytes(parts_list(plates, sheets, shop)),
     }
@@ -120,16 +119,6 @@ def export_plates(
     paths = {folder / file: data for file, data in contents.items()}
     write_files(paths)
     return tuple(paths)
-
-
-def _step_bytes(plates: tuple[Any, ...]) -> bytes:
-    """The plates as STEP, by FreeCAD's own kernel: no other one need be loaded for it."""
-    from .shapes import plates_shape
-
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder, "plates.step")
-        plates_shape(plates).exportStep(str(path))
-        return path.read_bytes()
 
 
 def export_print(

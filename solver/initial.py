@@ -364,8 +364,7 @@ def lift_linear(problem: Problem, R: Array, log_focal: float, pull: float) -> Ar
     (g,) array
         The shared coordinates, in units of the mean depth.
     """
-    seen = np.vstack([problem.points, problem.circles.centres])
-    rays = _rays(seen, log_focal) @ R
+    rays = _rays_in_axes(problem, R, log_focal)
     coordinate = problem.structure.coordinate
     m = problem.structure.n_coordinates
     # |c x r|^2 = c^T (I - r r^T) c, and |pull (forward . c - 1)|^2
@@ -383,6 +382,20 @@ def lift_linear(problem: Problem, R: Array, log_focal: float, pull: float) -> Ar
     depth = g[coordinate] @ forward
     mean = float(np.mean(np.abs(depth))) if len(depth) else 1.0
     return g / mean if mean > 1e-12 else g
+
+
+def miss_of_rays(problem: Problem, R: Array, log_focal: float, g: Array) -> float:
+    """How far a lift is off the rays that it was drawn along, RMS, rad."""
+    rays = _rays_in_axes(problem, R, log_focal)
+    c = g[problem.structure.coordinate]
+    off = np.linalg.norm(cross(c, rays), axis=1) / np.maximum(np.linalg.norm(c, axis=1), 1e-300)
+    return float(np.sqrt(np.mean(off**2)))
+
+
+def _rays_in_axes(problem: Problem, R: Array, log_focal: float) -> Array:
+    """Of all vertices and circles' middles, in the object's axes."""
+    seen = np.vstack([problem.points, problem.circles.centres])
+    return np.asarray(_rays(seen, log_focal) @ R)
 
 
 def _rays(points: Array, log_focal: float) -> Array:

@@ -20,7 +20,7 @@ from .blaming import is_doubtful
 from .diagnosis import focal_sigma
 from .full import EXIF_LOG_SIGMA, FocalPrior, FullProblem, Pose
 from .graph import SketchGraph
-from .initial import Start, lift_linear, views
+from .initial import Start, lift_linear, miss_of_rays, views
 from .least_squares import ENOUGH, EXACT_COST, Minimum, minimise
 from .problem import Problem, build_problem
 from .solution import Solution
@@ -58,6 +58,9 @@ RIVAL = 3.0
 UNSURE_FOCAL_SIGMA = 0.3
 #: So near to a reading that was found, in parts of the size, all ways lead to it.
 SAME_SHAPE = 2e-3
+#: Pulls to equal depths, and how many times the miss of the rays outweighs it.
+PULLS = (1e-3, 1e-2, 1e-1, 1.0)
+OUTWEIGHS = 3.0
 #: Readings whose misfits differ by less than this factor fit about equally well.
 CLOSE_CALL = 1.5
 #: Things that stand lean over by so much (standard deviation), in parts of their height.
@@ -304,8 +307,12 @@ def _with_floats_moved(
     """With a good camera, other depths of parts that float may meet the annotations as well."""
     if not finished or not floats_matter(problem) or any(map(_is_exact, finished)):
         return
-    x = min(finished, key=lambda t: t.minimum.cost).minimum.x
-    g = lift_linear(problem, x.R, x.log_focal, 1e-3)
+    best = min(finished, key=lambda t: t.minimum.cost).minimum
+    x = best.x
+    begun = _initial_pose(problem, Start(x.R, x.log_focal, best.cost))
+    if begun is None:
+        return
+    g = begun.g
     for other in lifts(problem, x.R, g, stop):
         if not same_lift(other, x.g):
             yield replace(x, g=other)
@@ -391,10 +398,23 @@ def _is_exact(lifted: Lifted) -> bool:
 
 
 def _initial_pose(problem: Problem, start: Start) -> Pose | None:
-    """The linear lift, with a stronger pull to equal depths where vertices fell behind the eye."""
-    for pull in (1e-3, 1e-2, 1e-1, 1.0):
+    """The linear lift, with a stronger pull to equal depths where it came out of proportion."""
+    for pull in PULLS:
         g = lift_linear(problem, start.R, start.log_focal, pull)
-        depth = g[problem.structure.coordinate] @ start.R[2]
-        if bool(np.isfinite(g).all()) and float(depth.min()) > 1e-3 * float(np.abs(depth).mean()):
+        if _is_in_proportion(problem, start, g, pull):
             return Pose(start.R, start.log_focal, g)
     return None
+
+
+def _is_in_proportion(problem: Problem, start: Start, g: Array, pull: float) -> bool:
+    """Whether all vertices lie before the eye, and no part has shrunk beside one that floats.
+
+    A part of which the drawing misses its rays misses them by less where it is small: only a pull
+    that weighs more than the miss keeps its depth beside that of others.
+    """
+    depth = g[problem.structure.coordinate] @ start.R[2]
+    if not np.isfinite(g).all() or float(depth.min()) <= 1e-3 * float(np.abs(depth).mean()):
+        return False
+    if not floats_matter(problem):
+        return True
+    return pull >= OUTWEIGHS * miss_of_rays(problem, start.R, start.log_focal, g)

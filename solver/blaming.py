@@ -20,8 +20,8 @@ import numpy as np
 from .annotations import Diameter, Length
 from .diagnosis import (
     MANY_UNKNOWNS,
+    KnownShape,
     Reading,
-    Relaxed,
     contradicts,
     convict,
     find_clash,
@@ -206,7 +206,7 @@ def find_blame(
     def attempt(id_: str) -> Reading | None:
         if stop():
             return None
-        found = afresh(id_) if afresh else lift_near(without(graph, id_), relaxed, stop)
+        found = afresh(id_) if afresh else lift_near(without(graph, id_), relaxed.shape, stop)
         if found is None:
             return None
         shapes[id_] = found
@@ -288,21 +288,18 @@ def blame_for_wishes(graph: SketchGraph, ids: tuple[str, ...], whole: Candidate)
 
 def _reading_again(graph: SketchGraph, other: Candidate, stop: Stop) -> Reading | None:
     """All annotations, begun from a shape without one of them."""
-    x = other.minimum.x
-    in_cam = other.full.positions(x) @ x.R.T
-    near = Relaxed(in_cam, x.g[other.problem.structure.radius], x.log_focal, [])
-    found = lift_near(graph, near, stop)
+    found = lift_near(graph, KnownShape.at(other.full, other.minimum.x), stop)
     return None if found is None else reading_of(graph, found)
 
 
-def lift_near(graph: SketchGraph, near: Relaxed, stop: Stop) -> Near | None:
+def lift_near(graph: SketchGraph, near: KnownShape, stop: Stop) -> Near | None:
     """The full step alone, begun from a shape that is known already."""
     structure = build_structure(graph)
     if structure.contradiction or structure.n_coordinates > MAX_COORDINATES:
         return None
     problem = build_problem(graph, structure)
     full = FullProblem(problem, None)
-    start = pose_near(problem, near.in_cam, near.radii, near.log_focal)
+    start = pose_near(problem, near)
     minimum = minimise(full, start, max_iterations=NEAR_ITERATIONS, enough=1e-6, stop=stop)
     if not np.isfinite(minimum.cost):
         return None

@@ -145,7 +145,7 @@ def _describe(
     graph: SketchGraph, core: SketchGraph, full: FullProblem, pose: Pose, last: Solution
 ) -> Solution:
     """The new shape; what does not depend on positions is as it was."""
-    placed = put_in_world(graph, core, full.problem, pose)
+    placed = put_in_world(graph, core, full, pose)
     whole, _ = mirrored(graph, Geometry(placed.vertices, graph.edges, graph.drawn_faces or {}))
     return replace(
         last,

@@ -13,11 +13,12 @@ side plane
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from .editing.substitution import Substitution, substituted
+from .geometry import cross
 from .graph import SketchGraph
 from .values import Array
 
@@ -49,23 +50,40 @@ def without_profiles(graph: SketchGraph) -> SketchGraph:
     return replace(core, revolutions=graph.revolutions)
 
 
-def in_side_plane(rays: Array, axis_point: Array, up: Array) -> Array:
-    """Where rays from the origin meet the side plane.
+@dataclass(frozen=True, slots=True, eq=False)
+class SidePlane:
+    """The side plane of one axis, the eye being the origin.
 
     Parameters
     ----------
-    rays : (n, 3) array
-    axis_point : (3,) array
-        Any point of the axis, the eye being the origin.
-    up : (3,) array
-        Direction of the axis.
-
-    Returns
-    -------
-    (n, 3) array
-        Not finite where a ray runs along the plane.
+    origin : (3,) array
+        A point of the axis; heights count from it.
+    side, up : (3,) arrays
+        Unit vectors in the plane, across and along the axis.
     """
-    towards = axis_point - (axis_point @ up) * up
-    normal = towards / max(float(np.linalg.norm(towards)), 1e-300)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        return np.asarray(rays * (axis_point @ normal / (rays @ normal))[:, None])
+
+    origin: Array
+    side: Array
+    up: Array
+
+    @classmethod
+    def facing(cls, origin: Array, up: Array) -> SidePlane:
+        """The plane through an axis that faces the eye."""
+        towards = origin - (origin @ up) * up
+        normal = towards / max(float(np.linalg.norm(towards)), 1e-300)
+        return cls(origin, cross(up, normal), up)
+
+    def met_by(self, rays: Array) -> Array:
+        """Where rays (n, 3) from the eye meet it; not finite where one runs along the plane."""
+        normal = cross(self.side, self.up)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return np.asarray(rays * (self.origin @ normal / (rays @ normal))[:, None])
+
+    def local(self, point: Array) -> tuple[float, float]:
+        """Distance to the side of the axis, signed, and height of a point."""
+        off = point - self.origin
+        return float(off @ self.side), float(off @ self.up)
+
+    def at(self, base: Array, x: float, z: float) -> Array:
+        """The point so far to the side of and above a point of an axis."""
+        return np.asarray(base + x * self.side + z * self.up)

@@ -22,6 +22,7 @@ from .diagnosis import (
     busiest_vertex,
     freedoms,
     most_helpful_corner,
+    pose_in,
     says_directions,
     size_of,
     standard_errors,
@@ -31,7 +32,8 @@ from .errors import SketchError
 from .faces import awaited_faces
 from .graph import SketchGraph
 from .lifting import UNSURE_FOCAL_SIGMA, Lifted
-from .placed import put_in_world
+from .placed import Placed, put_in_world
+from .profiles import said_of_profiles
 from .residuals import annotation_residuals
 from .solution import Report, Solution, Status
 from .symmetry import Geometry, mirrored
@@ -66,12 +68,14 @@ def describe(
         What keeps annotations and drawing apart.
     """
     pose = lifted.minimum.x
-    placed = put_in_world(graph, core, lifted.problem, pose)
+    drawn = lifted.drawn
+    shown = None if drawn is None else pose_in(lifted.problem, drawn.full, drawn.minimum.x)
+    placed = put_in_world(graph, core, lifted.full, pose, shown)
     vertices, circles = placed.vertices, placed.circles
     geometry, on_faces = _with_copies(graph, vertices)
     residuals = annotation_residuals(graph, geometry.vertices, geometry.faces, circles)
     # Away from the drawing its slopes tell nothing.
-    seen = lifted.drawn or lifted
+    seen = drawn or lifted
     told = seen.minimum.x
     open_ = freedoms(seen.full, told, [*core.vertices, *core.circles])
     extent = rows_of(vertices)
@@ -91,6 +95,8 @@ def describe(
     if blamed is not None:
         conflicts, message = blamed.ids, blamed.message
         status = status if blamed.held else Status.CONFLICTING
+    elif placed.wished and status is Status.CONVERGED:
+        conflicts, message = placed.wished, _against_the_side(graph, placed)
     elif status is Status.NOT_CONVERGED:
         conflicts = ()
     if status is not Status.UNDERDETERMINED:
@@ -130,6 +136,11 @@ def _verdict(
 ) -> tuple[Status, str]:
     if conflicts and lifted.minimum.converged and _are_sizes(graph, conflicts):
         return Status.CONFLICTING, f"{_and(conflicts[:4])} cannot all hold: take one of them away."
+    if conflicts and set(conflicts) <= said_of_profiles(graph, core).keys():
+        return Status.CONFLICTING, (
+            f"{_and(conflicts[:4])} cannot hold with what is said of the circles and the rest of "
+            "the side: take one of these away."
+        )
     if conflicts:
         # That directions clash would have been found by reasoning: here a search failed.
         return (
@@ -174,6 +185,15 @@ def _verdict(
             "Solved, with a usual focal length assumed: the drawing does not tell it.",
         )
     return (Status.CONVERGED, "Solved.")
+
+
+def _against_the_side(graph: SketchGraph, placed: Placed) -> str:
+    """What is said where the side of a surface of revolution is another than was drawn."""
+    off = placed.reprojection_px(graph)
+    sides = {v for r in graph.revolutions.values() for v in r.profile}
+    px = float(np.sqrt(np.mean([off[v] ** 2 for v in sides])))
+    which = " or ".join(placed.wished)
+    return f"Solved, but {which} contradicts the drawing, which is missed by {px:.0f} px."
 
 
 def _are_sizes(graph: SketchGraph, ids: tuple[str, ...]) -> bool:

@@ -18,15 +18,14 @@ from dataclasses import dataclass, replace
 from operator import itemgetter
 
 import numpy as np
-from scipy.sparse import bmat, csc_array, identity
-from scipy.sparse.linalg import splu
 
 from .annotations import Annotation, Diameter, Length
 from .blaming import HELD, is_settled
-from .diagnosis import freedoms, pose_near, without
+from .diagnosis import freedoms, pose_in, without
+from .elastic import gentlest_step
 from .full import FullProblem, Pose
 from .graph import SketchGraph
-from .least_squares import MAX_DENSE, Minimum
+from .least_squares import Minimum
 from .lifting import Lifted, lift
 from .problem import build_problem
 from .structure import Structure, build_structure
@@ -89,7 +88,7 @@ def fulfilled(
     eye_mm : float, optional
         How high over the ground a known camera is, where that tells how big everything is.
     """
-    x = _beginning(graph, structure, drawn)
+    x = pose_in(build_problem(graph, structure), drawn.full, drawn.minimum.x)
     scale = _scale_of(graph, structure, x, eye_mm)
     measured = _measured_mm(graph, structure, x, scale.unit_mm)
     n = 1 + int(_farthest(graph, measured) / STRIDE)
@@ -157,7 +156,7 @@ def _nearest(graph: SketchGraph, full: FullProblem, x: Pose, scale: _Scale, stop
         h, H = np.append(h, own), np.vstack([H[:, 4:], by_g])
         if float(np.abs(h).max()) < 1e-15 or stop():
             break
-        x = replace(x, g=x.g + _gentlest_step(h, H, _strain(graph, full, x)))
+        x = replace(x, g=x.g + gentlest_step(h, H, _strain(graph, full, x)))
     return x
 
 
@@ -188,21 +187,6 @@ def _traced_coordinates(graph: SketchGraph, full: FullProblem) -> IntArray:
     return np.unique(np.append(at, full.problem.structure.radius[circles])).astype(np.int64)
 
 
-def _gentlest_step(h: Array, H: Array, E: Array) -> Array:
-    """The step that takes h to 0 with the least energy."""
-    n, k = H.shape[1], len(h)
-    # Where nothing is stretched, the smallest step.
-    W = E.T @ E
-    W[np.diag_indices(n)] += 1e-6 * float(np.diag(W).max(initial=1.0))
-    slack = 1e-12 * float(np.abs(H).max(initial=1.0)) ** 2
-    right = np.concatenate([np.zeros(n), -h])
-    if n + k <= MAX_DENSE:
-        dense = np.block([[W, H.T], [H, -slack * np.eye(k)]])
-        return np.asarray(np.linalg.solve(dense, right)[:n])
-    system = bmat([[csc_array(W), csc_array(H.T)], [csc_array(H), -slack * identity(k)]], "csc")
-    return np.asarray(splu(system).solve(right)[:n])
-
-
 def _is_before_the_eye(full: FullProblem, x: Pose) -> bool:
     return bool((full.positions(x) @ x.R[2] > 0).all())
 
@@ -218,15 +202,6 @@ def _farthest(graph: SketchGraph, measured: Mapping[str, float]) -> float:
     """How far sizes are from those that are drawn: the range of the logarithms of their ratios."""
     ratios = [_said_mm(graph.annotations[id_]) / size for id_, size in measured.items()]
     return float(np.ptp(np.log([1.0, *ratios])))
-
-
-def _beginning(graph: SketchGraph, structure: Structure, drawn: Lifted) -> Pose:
-    x = drawn.minimum.x
-    if np.array_equal(structure.coordinate, drawn.problem.structure.coordinate):
-        return x
-    in_cam = drawn.full.positions(x) @ x.R.T
-    problem = build_problem(graph, structure)
-    return pose_near(problem, in_cam, x.g[drawn.problem.structure.radius], x.log_focal)
 
 
 def _measured_mm(

@@ -185,7 +185,7 @@ def place(
     if problem.up_in_cam is not None and ground_indices(core):
         return _place_under_camera(graph, core, problem, pose, lifted)
     W = _axes(problem, pose, up_direction(core, problem, pose))
-    scale, assumed = _scale(graph, lifted)
+    scale, assumed = _scale(graph, core, lifted)
     points = rows_of(lifted.vertices)
     if lifted.centres:
         points = np.vstack([points, rows_of(lifted.centres)])
@@ -213,13 +213,14 @@ def _place_under_camera(
     W = problem.camera.rotation_cam_from_world.T @ pose.R
     below = -float((pose.g[problem.structure.coordinate][ground_indices(core)] @ W[2]).mean())
     eye = problem.camera.position_mm
-    scale, assumed = _scale(graph, lifted)
+    scale, assumed = _scale_of(core, lifted)
     if below > 0 and float(eye[2]) > 0:
         by_camera = float(eye[2]) / below
         if assumed:
             return Placement(W, by_camera, eye, False, True)
         if abs(scale - by_camera) <= AGREE * by_camera:
             return Placement(W, scale, eye, False, True)
+    scale, assumed = _scale(graph, core, lifted)
     moved = np.array([eye[0], eye[1], scale * below])
     return Placement(W, scale, moved, assumed, camera_off_mm=float(abs(moved[2] - eye[2])))
 
@@ -242,7 +243,14 @@ def _axes(problem: Problem, pose: Pose, up: Array) -> Array:
     return np.array([x, y, up])
 
 
-def _scale(graph: SketchGraph, lifted: Lifted) -> tuple[float, bool]:
+def _scale(graph: SketchGraph, core: SketchGraph, lifted: Lifted) -> tuple[float, bool]:
+    """By what is said of the core, or else of all: profiles follow the core's sizes."""
+    scale, assumed = _scale_of(core, lifted)
+    return (scale, assumed) if graph is core or not assumed else _scale_of(graph, lifted)
+
+
+def _scale_of(graph: SketchGraph, lifted: Lifted) -> tuple[float, bool]:
+    """Millimetres in one of the shape's units, and whether that is only assumed."""
     said = topology_of(graph).by_kind
     given = [(_length(graph, lifted, a.edge), a.length_mm) for _, a in said["length"]]
     given += [(2 * lifted.radii[a.circle], a.diameter_mm) for _, a in said["diameter"]]

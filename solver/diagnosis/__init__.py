@@ -1,6 +1,6 @@
 """What is left open, what disagrees, and how sure the result is."""
 
-from .again import pose_near
+from .again import KnownShape, pose_in, pose_near
 from .blame import Reading, contradicts, convict
 from .clashes import clashing_annotations, disagree, find_clash, without
 from .freedoms import Freedoms, freedoms
@@ -20,6 +20,7 @@ __all__ = [
     "MANY_UNKNOWNS",
     "UNSURE_SIZE_SIGMA",
     "Freedoms",
+    "KnownShape",
     "Reading",
     "Relaxed",
     "StandardErrors",
@@ -34,6 +35,7 @@ __all__ = [
     "freedoms",
     "leftover_suspects",
     "most_helpful_corner",
+    "pose_in",
     "pose_near",
     "relax",
     "says_directions",

@@ -28,6 +28,7 @@ from ..problem import Problem, build_problem
 from ..structure import Structure, build_structure
 from ..topology import topology_of
 from ..values import Array, IntArray, Stop
+from .again import KnownShape
 
 #: How far a hand strays from the line that it means, RMS in parts of the drawing's diagonal.
 HAND_SIGMA = 0.007
@@ -64,17 +65,12 @@ class Relaxed:
 
     Parameters
     ----------
-    in_cam : (n + k, 3) array
-        Vertices and circles' centres in the camera frame, of free size.
-    radii : (k,) array
-    log_focal : float
+    shape : KnownShape
     suspects : list of Suspect
         Annotations that something speaks against, the most suspicious first.
     """
 
-    in_cam: Array
-    radii: Array
-    log_focal: float
+    shape: KnownShape
     suspects: list[Suspect]
 
 
@@ -114,7 +110,9 @@ def relax(
     return _told(soft, x, weigh(soft, x, owners, stiffness))
 
 
-def beginnings(graph: SketchGraph, problem: Problem, pose: Pose, stop: Stop) -> Iterator[Relaxed]:
+def beginnings(
+    graph: SketchGraph, problem: Problem, pose: Pose, stop: Stop
+) -> Iterator[KnownShape]:
     """Shapes from which all annotations may be reached, the nearest first, for each yield."""
     unknowns = 3 * (len(problem.points) + len(problem.circles))
     if unknowns > MAX_UNKNOWNS:
@@ -125,12 +123,11 @@ def beginnings(graph: SketchGraph, problem: Problem, pose: Pose, stop: Stop) -> 
         springs = _Springs(soft, spring_stiffness(problem), strain, stop)
         tried = springs.all_relaxed(begun, LONG_ITERATIONS)
         for x, _ in sorted(tried, key=lambda t: t[1])[:2]:
-            yield _told(soft, x, [])
+            yield KnownShape.at(soft, x)
 
 
 def _told(full: FullProblem, x: Pose, found: list[Suspect]) -> Relaxed:
-    radii = x.g[full.problem.structure.radius]
-    return Relaxed(full.positions(x) @ x.R.T, radii, x.log_focal, found)
+    return Relaxed(KnownShape.at(full, x), found)
 
 
 def leftover_suspects(graph: SketchGraph, full: FullProblem, pose: Pose) -> list[Suspect]:

@@ -17,7 +17,7 @@ from ..blaming import (
     reading_of,
 )
 from ..blaming import lift_near as near_to
-from ..diagnosis import Relaxed, beginnings, pose_near
+from ..diagnosis import KnownShape, beginnings, pose_near
 from ..full import EXIF_LOG_SIGMA, FocalPrior, FullProblem
 from ..graph import SketchGraph
 from ..least_squares import Minimum, minimise
@@ -93,13 +93,11 @@ def _guess_taken_back(
     At right-angled shapes some constraints agree to first order with moves that they forbid; and
     valleys in which a shape follows each stroke of a careless hand may be endless.
     """
-    x = lifted.minimum.x
-    in_cam = lifted.full.positions(x) @ x.R.T
-    start = Relaxed(in_cam, x.g[lifted.problem.structure.radius], x.log_focal, [])
+    start = KnownShape.at(lifted.full, lifted.minimum.x)
     near = near_to(graph, start, stop)
     if near is None or is_settled(near):
         return near
-    pose = pose_near(near.problem, start.in_cam, start.radii, start.log_focal)
+    pose = pose_near(near.problem, start)
     minimum = Minimum(pose, lifted.minimum.iterations, True, near.full.merit(pose, 0.0))
     above = camera_above_ground(graph, near.problem, pose)
     return Near(near.problem, near.full, minimum, above, as_guessed=True)

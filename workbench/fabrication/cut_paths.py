@@ -85,6 +85,9 @@ def _path(plate_id: str, ring: Array, kerf: float, *, hole: bool) -> Array:
     """One ring's path; material lies on the left of both."""
     if kerf == 0:
         return _without_short(ring)
+    slot = _narrowed(ring, kerf) if hole and len(ring) == 4 else None
+    if slot is not None:
+        return slot
     moved = _mitred(ring, kerf / 2)
     if moved is None:
         moved = _moved(ring[::-1] if hole else ring, -kerf / 2 if hole else kerf / 2)
@@ -97,6 +100,16 @@ def _path(plate_id: str, ring: Array, kerf: float, *, hole: bool) -> Array:
         )
     points = np.round(_without_short(moved), 6) + 0.0
     return from_least(points)
+
+
+def _narrowed(ring: Array, kerf: float) -> Array | None:
+    """An upright rectangular hole's path, most are; None where it is another, or too narrow."""
+    (x, y), (across, up) = ring.min(axis=0).tolist(), ring.max(axis=0).tolist()
+    straight = ring.tolist() == [[x, y], [x, up], [across, up], [across, y]]
+    if not straight or min(across - x, up - y) < kerf + LEAST_SEGMENT_MM:
+        return None
+    x, y, across, up = x + kerf / 2, y + kerf / 2, across - kerf / 2, up - kerf / 2
+    return np.round([[x, y], [x, up], [across, up], [across, y]], 6) + 0.0
 
 
 def _after(ring: Array) -> Array:

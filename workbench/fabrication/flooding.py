@@ -59,11 +59,12 @@ def flooded(
         axis, at, mask = placed[name] = found
         blocked[axis][at] |= mask
     outside = _flood(blocked)
+    sizes = [np.concatenate([[0.0], np.diff(line), [0.0]]) for line in lines]
     result = {}
     for id_ in made:
         axis, at, mask = placed[id_]
-        u, v = (np.pad(np.diff(lines[k]), 1) for k in _others(axis))
-        area = mask * np.outer(u, v)
+        u, v = _others(axis)
+        area = mask * np.outer(sizes[u], sizes[v])
         turned = np.moveaxis(outside, (axis, *_others(axis)), (0, 1, 2))
         low, high = (float((area * ~turned[n]).sum() / area.sum()) for n in (at, at + 1))
         up = newell(np.asarray(faces[id_][0]))[axis] > 0

@@ -10,12 +10,11 @@ cap
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Iterator, Sequence
-from itertools import pairwise
+from collections.abc import Sequence
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 
 from ...solver.values import Array
 
@@ -52,19 +51,21 @@ def free_edges(faces: Sequence[Loops], tolerance: float) -> list[tuple[Array, Ar
     corners = np.vstack([loop for face in faces for loop in face])
     _, first = np.unique(np.round(corners / tolerance / 10), axis=0, return_index=True)
     corners = corners[np.sort(first)]
-    uses: Counter[tuple[int, int]] = Counter()
     loops = [loop for face in faces for loop in face]
     starts = np.vstack(loops)
     ends = np.vstack([np.concatenate((loop[1:], loop[:1])) for loop in loops])
-    for numbers in _corners_on(starts, ends, corners, 20 * tolerance):
-        uses.update((min(p, q), max(p, q)) for p, q in pairwise(numbers))
-    return [(corners[p], corners[q]) for (p, q), count in uses.items() if count == 1]
+    edges, numbers = _corners_on(starts, ends, corners, 20 * tolerance)
+    steps = np.column_stack([numbers[:-1], numbers[1:]])[edges[:-1] == edges[1:]]
+    steps.sort(axis=1)
+    pairs, first, count = np.unique(steps, axis=0, return_index=True, return_counts=True)
+    single = pairs[count == 1][np.argsort(first[count == 1])]
+    return [(corners[p], corners[q]) for p, q in single.tolist()]
 
 
 def _corners_on(
     starts: Array, ends: Array, corners: Array, tolerance: float
-) -> Iterator[list[int]]:
-    """For each edge the numbers of the corners that lie on it, from its start to its end."""
+) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Numbers of edges, and of the corners that lie on each, from its start to its end."""
     spans = ends - starts
     lengths = np.linalg.norm(spans, axis=1)
     ways = spans / lengths[:, None]
@@ -72,9 +73,9 @@ def _corners_on(
     along = np.einsum("ecx,ex->ec", away, ways)
     off = np.linalg.norm(away - along[..., None] * ways[:, None], axis=2)
     on = (off < tolerance) & (along > -tolerance) & (along < lengths[:, None] + tolerance)
-    for row, places in zip(on, along, strict=True):
-        numbers = np.flatnonzero(row)
-        yield numbers[np.argsort(places[numbers], kind="stable")].tolist()
+    edges, numbers = np.nonzero(on)
+    order = np.lexsort((along[edges, numbers], edges))
+    return edges[order], numbers[order]
 
 
 def _loops_in_plane(

@@ -53,10 +53,15 @@ def cut_outlines(
     settled: set[int] = set()
     cutter = _Cutter(walls, pieces)
     outlines = [cutter.outline(i, shared) for i in range(len(walls))]
+    seen: dict[int, Polygon] = {}  # outlines that were found to be in one piece
     for _ in range(_ROUNDS):
         changes: dict[int, int] = {}
         for i in range(len(walls)):
-            for n, owner in _mended(i, walls, outlines[i], shared).items():
+            parts = _parts(outlines[i])
+            if len(parts) == 1:
+                seen[i] = outlines[i]
+                continue
+            for n, owner in _mended(i, walls, parts, shared).items():
                 if n not in settled:
                     changes.setdefault(n, owner)
         if not changes:
@@ -72,8 +77,8 @@ def cut_outlines(
     outlines = repair.run()
     empty = {tuple(walls[w].face_ids[0] for w in some): v for some, v in repair.empty().items()}
     outlines = [_main_part(wall, outline) for wall, outline in zip(walls, outlines, strict=True)]
-    for wall, outline in zip(walls, outlines, strict=True):
-        if outline.is_empty or len(_parts(outline)) > 1:
+    for i, (wall, outline) in enumerate(zip(walls, outlines, strict=True)):
+        if seen.get(i) is not outline and len(_parts(outline)) != 1:
             raise FabricationError(
                 "the joints would cut the plate into pieces",
                 wall.face_ids,
@@ -94,14 +99,15 @@ class _Cutter:
 
     def __init__(self, walls: Sequence[Wall], pieces: Sequence[Piece]) -> None:
         self.walls = walls
-        self.near = [
-            {
-                n: _bounds(piece, wall, -1)
-                for n, piece in enumerate(pieces)
-                if _overlaps(piece, wall)
-            }
-            for wall in walls
-        ]
+        low = np.array([piece.low_mm for piece in pieces]).reshape(-1, 3)
+        high = np.array([piece.high_mm for piece in pieces]).reshape(-1, 3)
+        self.near = []
+        for wall in walls:
+            k, plane = wall.axis, list(wall.plane_axes)
+            deep = np.minimum(high[:, k], wall.high_mm) - np.maximum(low[:, k], wall.low_mm)
+            there = np.flatnonzero(deep > GRID_MM)
+            bounds = np.hstack([low[there][:, plane], high[there][:, plane]])
+            self.near.append(dict(zip(there.tolist(), bounds.tolist(), strict=True)))
 
     def outline(self, number: int, pieces: Sequence[Piece]) -> Polygon:
         """A wall without the pieces that are not its own."""
@@ -163,13 +169,15 @@ def _parts(outline: Polygon) -> list[Polygon]:
 
 def _main_part(wall: Wall, outline: Polygon) -> Polygon:
     """The outline without loose corners that were never drawn, only added by lengthening."""
+    if outline.geom_type == "Polygon":
+        return outline
     parts = sorted(shapely.get_parts(outline), key=lambda part: -part.area)
     drawn = wall.drawn.buffer(-NECK_MM)
     return shapely.union_all([*parts[:1], *(part for part in parts[1:] if part.intersects(drawn))])
 
 
 def _mended(
-    number: int, walls: Sequence[Wall], outline: Polygon, pieces: Sequence[Piece]
+    number: int, walls: Sequence[Wall], parts: Sequence[Polygon], pieces: Sequence[Piece]
 ) -> dict[int, int]:
     """New owners for pieces, so that a plate that falls apart hangs together.
 
@@ -177,17 +185,15 @@ def _mended(
     have takes the pieces beside it.
     """
     wall = walls[number]
-    parts = _parts(outline)
-    if len(parts) < 2:
-        return {}
-    parts.remove(max(parts, key=lambda part: part.area))
+    main = max(parts, key=lambda part: part.area)
+    islands = [part for part in parts if part is not main]
     changes: dict[int, int] = {}
     near = {
         n: _projected(piece, wall, number)
         for n, piece in enumerate(pieces)
         if number in (piece.owner, *piece.rivals) and _overlaps(piece, wall)
     }
-    for island in parts:
+    for island in islands:
         own = {
             n
             for n, area in near.items()

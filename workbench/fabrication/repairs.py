@@ -58,6 +58,7 @@ class Repair:
         self.outlines = list(outlines)
         self.mains = [_main(outline) for outline in outlines]
         self.left = _MOST_TRIES
+        self._shares: Array | None = None
 
     def run(self) -> list[Polygon]:
         """The outlines with the pieces' last owners."""
@@ -109,7 +110,8 @@ class Repair:
     def _troubles(self) -> Iterator[Array]:
         """Boxes (low and high corner) that nobody fills."""
         for n, wall in enumerate(self.walls):
-            for part in shapely.get_parts(self.outlines[n]):
+            parts = shapely.get_parts(self.outlines[n])
+            for part in parts if len(parts) > 1 else ():
                 if not part.equals(self.mains[n]) and part.area > _LEAST_MM3:
                     yield _box(wall, part)
         for n in np.flatnonzero(self._unfilled()).tolist():
@@ -117,8 +119,11 @@ class Repair:
 
     def _unfilled(self) -> Array:
         """What share of each piece nobody fills: seen in the middles of its eighths."""
-        if not self.pieces:
-            return np.zeros(0)
+        if self._shares is None:
+            self._shares = self._looked_at() if self.pieces else np.zeros(0)
+        return self._shares
+
+    def _looked_at(self) -> Array:
         low = np.array([piece.low_mm for piece in self.pieces])
         size = np.array([piece.high_mm for piece in self.pieces]) - low
         spots = (low[:, None] + _EIGHTHS * size[:, None]).reshape(-1, 3)
@@ -191,7 +196,7 @@ class Repair:
 
     def _move(self, wall: int, some: Sequence[int]) -> None:
         changed = self._changed(wall, some)
-        self.pieces = self._given(wall, some)
+        self.pieces, self._shares = self._given(wall, some), None
         for w in changed:
             self.outlines[w] = self._outline(w, self.pieces)
             self.mains[w] = _main(self.outlines[w])

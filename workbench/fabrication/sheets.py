@@ -29,6 +29,15 @@ from .strokes import text_strokes, text_width_mm
 TEXT_HEIGHTS_MM = (8.0, 6.0, 5.0, 4.0, 3.0, 2.5)
 #: Between a name and the marks, mm.
 _CLEAR_MM = 1.5
+#: Around a name to the part's border, mm.
+_BORDER_MM = 1.0
+#: Where names are tried, in parts of the bounding box from its middle, the nearest first.
+_TRIED = np.array(
+    sorted(
+        ((x / 10, y / 10) for x in range(-4, 5) for y in range(-4, 5)),
+        key=lambda share: round(float(np.hypot(*share)), 6),
+    )
+)
 
 
 Marks = Mapping[str, Sequence[Array]]
@@ -174,10 +183,8 @@ def _part(path: CutPath, corner: Array, marks: Sequence[Array], *, turned: bool)
 
 def _name(text: str, outer: Array, inner: Sequence[Array], marks: Sequence[Array]) -> list[Array]:
     """Strokes of a name where it lies wholly within the part, near its middle."""
-    free = Polygon(outer, inner).buffer(-1.0, join_style="mitre")
-    if free.is_empty:
-        return []
-    shapely.prepare(free)
+    area = Polygon(outer, inner)
+    shapely.prepare(area)
     middles = _spots(outer)
     for height in TEXT_HEIGHTS_MM:
         half = np.array([text_width_mm(text, height), height]) / 2
@@ -185,7 +192,8 @@ def _name(text: str, outer: Array, inner: Sequence[Array], marks: Sequence[Array
         for mark in marks:
             low, high = mark.min(axis=0) - _CLEAR_MM, mark.max(axis=0) + _CLEAR_MM
             rooms = rooms[((rooms[:, :2] >= high) | (rooms[:, 2:] <= low)).any(axis=1)]
-        fitting = np.flatnonzero(shapely.contains(free, shapely.box(*rooms.T)))
+        around = rooms + np.array([-1.0, -1.0, 1.0, 1.0]) * _BORDER_MM
+        fitting = np.flatnonzero(shapely.contains(area, shapely.box(*around.T)))
         if len(fitting):
             x, y = rooms[fitting[0], :2].tolist()
             return text_strokes(text, (x, y), height)
@@ -195,6 +203,4 @@ def _name(text: str, outer: Array, inner: Sequence[Array], marks: Sequence[Array
 def _spots(outer: Array) -> Array:
     """Places in a part's bounding box, from its middle outwards."""
     low, high = outer.min(axis=0), outer.max(axis=0)
-    shares = np.array([(x, y) for x in range(-4, 5) for y in range(-4, 5)]) / 10.0
-    shares = shares[np.argsort(np.round(np.linalg.norm(shares, axis=1), 6), kind="stable")]
-    return np.asarray(low + (0.5 + shares) * (high - low))
+    return np.asarray(low + (0.5 + _TRIED) * (high - low))

@@ -177,14 +177,19 @@ def _merged(group: list[_FlatFace], side: str) -> list[Wall]:
     """One wall for each set of touching faces."""
     union = shapely.union_all([flat.region for flat in group], grid_size=GRID_MM)
     walls = []
-    for part in shapely.get_parts(union):
-        faces = [f for f in group if part.buffer(0.01).contains(f.region.representative_point())]
+    parts = shapely.get_parts(union)
+    for part in parts:
+        faces = group if len(parts) == 1 else [f for f in group if _is_in(f.region, part)]
         outer = next((f.side for f in faces if f.side), 0)
         low, high = _interval(faces[0].at_mm, faces[0].thickness_mm, outer, side)
         ids = tuple(f.id for f in faces)
         drawn = tidy(part)
         walls.append(Wall(ids, faces[0].axis, faces[0].at_mm, low, high, outer, drawn, drawn))
     return walls
+
+
+def _is_in(region: Polygon, part: Polygon) -> bool:
+    return bool(part.distance(region.representative_point()) < 0.01)
 
 
 def _interval(at: float, thickness: float, towards: int, side: str) -> tuple[float, float]:

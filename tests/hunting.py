@@ -44,6 +44,7 @@ from incontext.workbench.fabrication.frame import newell
 from incontext.workbench.fabrication.marks import edge_marks
 from incontext.workbench.fabrication.meshes import mesh_of
 from incontext.workbench.fabrication.plates import Joined, Plate
+from incontext.workbench.fabrication.prisms import prism as prism_over
 from incontext.workbench.fabrication.sheets import Sheet, lay_out
 
 MAX_SECONDS = 60
@@ -154,7 +155,10 @@ def organizer(rng: np.random.Generator) -> tuple[Loops, dict]:
     )
     model = shapes.organizer(columns, rows, float(rng.integers(30, 90)))
     loops = _loops_of(model)
-    thick = {id_: float(rng.choice([2, 3, 4, 6])) for id_ in {f.split(".")[0] for f in loops}}
+    thick = {
+        id_: float(rng.choice([2, 3, 4, 6]))
+        for id_ in dict.fromkeys(f.split(".")[0] for f in loops)
+    }
     return loops, {"thickness": {id_: thick[id_.split(".")[0]] for id_ in loops}}
 
 
@@ -300,6 +304,7 @@ def broken(model: Model, settings: PlateSettings, joined: Joined) -> Iterator[st
             yield f"{pair} overlap by {volume:.3g} mm3"
     for plate in plates:
         yield from _of_plate(plate, settings)
+        yield from _untold_slots(plate, joined)
     yield from _of_body(model, plates, settings.side)
     marks = edge_marks(plates, joined.joints)
     sheets = lay_out(plates, settings, marks)
@@ -325,9 +330,6 @@ def _of_plate(plate: Plate, settings: PlateSettings) -> Iterator[str]:
         yield f"the outline of {plate.id} crosses itself"
     if plate.polygon.buffer(-0.04).geom_type != "Polygon":
         yield f"{plate.id} is in pieces"
-    for hole in plate.holes:
-        if outline.distance(shapely.LinearRing(hole)) < plate.thickness_mm - 1e-6:
-            yield f"a hole of {plate.id} is less than {plate.thickness_mm} mm from its border"
     steps = np.linalg.norm(np.roll(plate.outline, -1, axis=0) - plate.outline, axis=1)
     if steps.min() < 1e-6:
         yield f"{plate.id} has an edge of {steps.min():.2g} mm"
@@ -340,6 +342,19 @@ def _of_plate(plate: Plate, settings: PlateSettings) -> Iterator[str]:
         lost = plate.polygon.intersection(beam).area
         if lost > 1e-5 * plate.polygon.length:
             yield f"the beam takes {lost:.3g} mm2 of {plate.id}"
+
+
+def _untold_slots(plate: Plate, joined: Joined) -> Iterator[str]:
+    """Slots nearer to a border than one thickness, unless a note says so."""
+    outline = shapely.LinearRing(plate.outline)
+    others = [body(other) for other in joined.plates if other is not plate]
+    for hole in plate.holes:
+        near = outline.distance(shapely.LinearRing(hole)) < plate.thickness_mm - 1e-5
+        if near and not any(note.startswith(f"{plate.id}: the slot") for note in joined.notes):
+            room = prism_over(shapely.Polygon(hole), 0.0, plate.thickness_mm)
+            room = room.transform(plate.world_from_plate[:3])
+            if any((room ^ other).volume() > 1e-3 for other in others):
+                yield f"a slot of {plate.id} is less than {plate.thickness_mm} mm from its border"
 
 
 def _of_sheets(

@@ -19,3 +19,19 @@ def test_prints_of_random_shapes(family):
     end, laws = outcome(family, 3, printed=True)
     assert laws == []
     assert end == "printed"
+
+
+def test_a_slot_near_a_border_is_told():
+    model, settings = hunting.case("polycube", 11)
+    joined = joined_plates(model, settings)
+    assert not list(hunting.broken(model, settings, joined))
+    (note,) = [note for note in joined.notes if "slot for" in note]
+    assert note == (
+        "f5: the slot for f29 (e18) is 4.5 mm from a border, less than the plate's 6 mm; "
+        "it may break"
+    )
+    plate = next(plate for plate in joined.plates if plate.id == "f5")
+    gaps = [
+        shapely.LinearRing(plate.outline).distance(shapely.LinearRing(hole)) for hole in plate.holes
+    ]
+    assert min(gaps) == pytest.approx(4.5)

@@ -1,9 +1,10 @@
 """Right-angled polygons less boxes: what shapely says, or nothing."""
 
 import numpy as np
+import pytest
 import shapely
 
-from incontext.workbench.fabrication.rectilinear import less_boxes, wide_all_over
+from incontext.workbench.fabrication.rectilinear import rastered, wide_all_over
 
 
 def test_the_same_as_shapely():
@@ -14,7 +15,10 @@ def test_the_same_as_shapely():
         low = rng.integers(-3, 55, (int(rng.integers(1, 14)), 2))
         boxes = np.hstack([low, low + rng.integers(1, 9, low.shape)]).astype(float)
         wanted = region.difference(shapely.union_all(shapely.box(*boxes.T)))
-        left = less_boxes(region, boxes)
+        raster = rastered(region, boxes)
+        left = raster.less(range(len(boxes)))
+        largest = max((part.area for part in shapely.get_parts(wanted)), default=0.0)
+        assert raster.largest_mm2(range(len(boxes))) == pytest.approx(largest, rel=1e-12)
         # None: several parts, or parts that touch in a corner only.
         if left is not None:
             found += 1
@@ -26,15 +30,19 @@ def test_the_same_as_shapely():
 def test_other_angles_are_left_to_shapely():
     slanted = shapely.Polygon([(0, 0), (50, 0), (40, 30), (0, 30)])
     boxes = np.array([[10.0, 0.0, 20.0, 5.0]])
-    assert less_boxes(slanted, boxes) is None
+    assert rastered(slanted, boxes) is None
     assert not wide_all_over(slanted, 1.0)
 
 
 def test_nothing_left_and_several_parts_are_no_polygon():
-    region = shapely.box(0, 0, 10, 10)
-    assert less_boxes(region, np.array([[0.0, 0.0, 10.0, 10.0]])) is None
-    assert less_boxes(region, np.array([[4.0, 0.0, 6.0, 10.0]])) is None
-    assert less_boxes(region, np.array([[0.0, 0.0, 5.0, 5.0], [5.0, 5.0, 10.0, 10.0]])) is None
+    boxes = np.array(
+        [[0.0, 0.0, 10.0, 10.0], [4.0, 0.0, 7.0, 10.0], [0.0, 0.0, 5.0, 5.0], [5.0, 5.0, 10, 10.0]]
+    )
+    raster = rastered(shapely.box(0, 0, 10, 10), boxes)
+    for some, largest in (([0], 0.0), ([1], 40.0), ([2, 3], 25.0)):
+        assert raster.less(some) is None
+        assert raster.largest_mm2(some) == largest
+    assert raster.less([2]).area == 75.0
 
 
 def test_narrow_places_are_seen():

@@ -14,7 +14,7 @@ loose
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -27,8 +27,8 @@ from .pieces import Piece
 
 Place = tuple[int, int, int]
 Spot = tuple[int, int, int]  # wall, u, v
-#: A search that has seen so many choices takes the best of them.
-MOST_CHOICES = 4000
+#: A search that has taken so many steps takes the best that it has found.
+MOST_STEPS = 150_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -181,10 +181,13 @@ class _Search:
     ) -> None:
         self.columns, self.kept, self.alone = columns, kept, alone
         self.sizes = [_volume(cells, place) for place in block]
-        self.over = [[c for c in columns if n in c.cells] for n in range(len(block))]
+        masks = [sum(1 << n for n in c.cells) for c in columns]
+        voids = [self._partly(c) for c in columns]
+        every = list(zip(columns, masks, voids, strict=True))
+        self.over = [[some for some in every if n in some[0].cells] for n in range(len(block))]
         self.found: list[_Column] = []
-        self.cost = (np.inf, 0)
-        self.left = MOST_CHOICES
+        self.cost = (np.inf, 1)
+        self.left = MOST_STEPS
 
     def best(self) -> list[_Column]:
         """The columns that are kept."""
@@ -192,29 +195,30 @@ class _Search:
         for column in self.columns:
             if column.needed and not any(column.cells & other.cells for other in start):
                 start.append(column)
-        self._choose(start, frozenset().union(*(c.cells for c in start)), 0, self._partly(start))
+        taken = sum(1 << n for c in start for n in c.cells)
+        self._choose(start, taken, 0, sum(map(self._partly, start)))
         return self.found
 
-    def _partly(self, chosen: Iterable[_Column]) -> float:
-        """What columns with an aslant border leave empty: about a half."""
-        return sum(self.sizes[n] / 2 for c in chosen if not c.whole for n in c.cells)
+    def _partly(self, column: _Column) -> float:
+        """What a column with an aslant border leaves empty: about a half."""
+        return 0.0 if column.whole else sum(self.sizes[n] / 2 for n in column.cells)
 
-    def _choose(self, chosen: list[_Column], taken: frozenset[int], cell: int, void: float) -> None:
-        while cell in taken:
+    def _choose(self, chosen: list[_Column], taken: int, cell: int, void: float) -> None:
+        while taken >> cell & 1:
             cell += 1
-        if self.left <= 0 or void > self.cost[0] + 1e-9:
+        # Where nothing is loose any more, only less void is better.
+        if self.left <= 0 or void > self.cost[0] + (1e-9 if self.cost[1] else -1e-9):
             return
+        self.left -= 1
         if cell == len(self.sizes):
-            self.left -= 1
             cost = (void, self._loose(chosen))
             if cost[0] < self.cost[0] - 1e-9 or cost[1] < self.cost[1]:
                 self.cost, self.found = cost, list(chosen)
             return
-        for column in self.over[cell]:
-            if not column.cells & taken:
-                more = self._partly([column])
-                self._choose([*chosen, column], taken | column.cells, cell, void + more)
-        self._choose(chosen, taken | {cell}, cell, void + self.sizes[cell])
+        for column, mask, more in self.over[cell]:
+            if not mask & taken:
+                self._choose([*chosen, column], taken | mask, cell + 1, void + more)
+        self._choose(chosen, taken | 1 << cell, cell + 1, void + self.sizes[cell])
 
     def _loose(self, chosen: Sequence[_Column]) -> int:
         """How many chosen columns hang together with the rest of their walls nowhere."""

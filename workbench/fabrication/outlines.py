@@ -16,7 +16,7 @@ from shapely.geometry import Polygon, box
 
 from .errors import FabricationError
 from .pieces import NO_SLACK, Piece
-from .rectilinear import less_boxes, wide_all_over
+from .rectilinear import Raster, rastered, wide_all_over
 from .repairs import Repair
 from .walls import GRID_MM, Wall, tidy
 
@@ -73,7 +73,7 @@ def cut_outlines(
             shared[n] = shared[n].given_to(owner)
         for i in touched:
             outlines[i] = cutter.outline(i, shared)
-    repair = Repair(walls, shared, outlines, cutter.outline)
+    repair = Repair(walls, shared, outlines, cutter)
     outlines = repair.run()
     empty = {tuple(walls[w].face_ids[0] for w in some): v for some, v in repair.empty().items()}
     outlines = [_main_part(wall, outline) for wall, outline in zip(walls, outlines, strict=True)]
@@ -99,32 +99,60 @@ class _Cutter:
 
     def __init__(self, walls: Sequence[Wall], pieces: Sequence[Piece]) -> None:
         self.walls = walls
+        self.boxes, self.plain, self.loose = [], [], []
         low = np.array([piece.low_mm for piece in pieces]).reshape(-1, 3)
         high = np.array([piece.high_mm for piece in pieces]).reshape(-1, 3)
-        self.near = []
-        for wall in walls:
+        for number, wall in enumerate(walls):
             k, plane = wall.axis, list(wall.plane_axes)
             deep = np.minimum(high[:, k], wall.high_mm) - np.maximum(low[:, k], wall.low_mm)
-            there = np.flatnonzero(deep > GRID_MM)
-            bounds = np.hstack([low[there][:, plane], high[there][:, plane]])
-            self.near.append(dict(zip(there.tolist(), bounds.tolist(), strict=True)))
+            there = np.flatnonzero(deep > GRID_MM).tolist()
+            wider = [n for n in there if _is_loose(pieces[n], number)]
+            bounds = np.hstack([low[there][:, plane], high[there][:, plane]]).tolist()
+            bounds += [_bounds(pieces[n], wall, number) for n in wider]
+            self.boxes.append(np.array(bounds).reshape(-1, 4))
+            self.plain.append({n: k for k, n in enumerate(there)})
+            self.loose.append({n: k for k, n in enumerate(wider, len(there))})
+        self._rasters: dict[int, Raster | None] = {}
 
     def outline(self, number: int, pieces: Sequence[Piece]) -> Polygon:
         """A wall without the pieces that are not its own."""
-        wall, holes = self.walls[number], []
-        for n, bounds in self.near[number].items():
-            piece = pieces[n]
-            if piece.owner != number:
-                loose = piece.slack != NO_SLACK and piece.rivals[:1] == (number,)
-                holes.append(_bounds(piece, wall, number) if loose else bounds)
-        if not holes:
-            return wall.region
-        boxes = np.array(holes)
-        quick = less_boxes(wall.region, np.round(boxes, 6) + 0.0)
+        lost = self._lost(number, pieces)
+        if not lost:
+            return self.walls[number].region
+        raster = self._raster(number)
+        quick = raster.less(lost) if raster else None
         if quick is not None:
             return quick
-        cut = wall.region.difference(shapely.union_all(shapely.box(*boxes.T)), grid_size=GRID_MM)
-        return _without_dust(cut)
+        boxes = shapely.union_all(shapely.box(*self.boxes[number][lost].T))
+        return _without_dust(self.walls[number].region.difference(boxes, grid_size=GRID_MM))
+
+    def main_mm2(self, number: int, pieces: Sequence[Piece]) -> float:
+        """The area of the largest part of a wall's outline."""
+        raster = self._raster(number)
+        if raster is not None:
+            return raster.largest_mm2(self._lost(number, pieces))
+        parts = shapely.get_parts(self.outline(number, pieces))
+        return float(max(shapely.area(parts), default=0.0))
+
+    def _lost(self, number: int, pieces: Sequence[Piece]) -> list[int]:
+        """The numbers of the boxes that others own."""
+        loose = self.loose[number]
+        return [
+            loose[n] if n in loose and _is_loose(pieces[n], number) else box
+            for n, box in self.plain[number].items()
+            if pieces[n].owner != number
+        ]
+
+    def _raster(self, number: int) -> Raster | None:
+        if number not in self._rasters:
+            boxes = np.round(self.boxes[number], 6) + 0.0
+            self._rasters[number] = rastered(self.walls[number].region, boxes)
+        return self._rasters[number]
+
+
+def _is_loose(piece: Piece, number: int) -> bool:
+    """Whether a piece is cut out of a wall with play."""
+    return piece.slack != NO_SLACK and piece.owner != number and piece.rivals[:1] == (number,)
 
 
 def _without_dust(cut: Polygon) -> Polygon:

@@ -22,6 +22,7 @@ from .errors import FabricationError, NotRightAngledError
 from .finger_joints import share_out
 from .frame import Frame, find_frame, snapped
 from .joints import Joint, JointPlan
+from .near_borders import slots_near_borders
 from .outlines import cut_outlines
 from .settings import PlateSettings
 from .walls import Wall, find_walls
@@ -87,9 +88,10 @@ class Joined:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """One line for each joint that is not what it usually would be, and for each void."""
+        """One line for each unusual joint, each slot too near to a border and each void."""
         unusual = tuple(joint.words for joint in self.joints if joint.reason)
-        return (*unusual, *(void_words(ids, size) for ids, size in self.empty_mm3.items()))
+        near = slots_near_borders(self.plates, self.joints)
+        return (*unusual, *near, *(void_words(ids, size) for ids, size in self.empty_mm3.items()))
 
 
 def void_words(face_ids: Iterable[str], volume_mm3: float) -> str:

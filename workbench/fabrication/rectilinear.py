@@ -10,6 +10,9 @@ pinch
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
+
 import numpy as np
 import shapely
 from numpy.typing import NDArray
@@ -20,8 +23,57 @@ from ...solver.values import Array
 Flags = NDArray[np.bool_]
 
 
-def less_boxes(region: Polygon, boxes: Array) -> Polygon | None:
-    """A right-angled polygon without some boxes.
+@dataclass(frozen=True, slots=True, eq=False)
+class Raster:
+    """A right-angled polygon and the boxes that may be taken from it, again and again.
+
+    Parameters
+    ----------
+    xs, ys : (n,) arrays
+        The grid's lines, ascending.
+    filled : (nx + 1, ny + 1) array of bool
+        The polygon's cells, with an empty row all around: every corner has four cells.
+    boxes : (k, 4) array of int
+        For each box the cells that it covers: from and to along x, from and to along y.
+    """
+
+    xs: Array
+    ys: Array
+    filled: Flags
+    boxes: NDArray[np.intp]
+
+    def less(self, numbers: Sequence[int]) -> Polygon | None:
+        """What some boxes leave; None where that is no one simple polygon."""
+        loops = _traced(self._less(numbers))
+        if loops is None:
+            return None
+        outer, *holes = [np.column_stack([self.xs[a[:, 0]], self.ys[a[:, 1]]]) for a in loops]
+        return Polygon(outer, holes)
+
+    def largest_mm2(self, numbers: Sequence[int]) -> float:
+        """The area of the largest part that some boxes leave; corners alone hold nothing."""
+        from scipy.ndimage import label
+
+        parts, count = label(self._less(numbers)[1:-1, 1:-1])
+        if count == 0:
+            return 0.0
+        areas = np.outer(np.diff(self.xs), np.diff(self.ys))
+        return float(np.bincount(parts.ravel(), weights=areas.ravel())[1:].max())
+
+    def _less(self, numbers: Sequence[int]) -> Flags:
+        x0, x1, y0, y1 = self.boxes[list(numbers)].T
+        # Each box counts from its corner on and no longer beyond its sides; sums say the rest.
+        steps = np.zeros((self.filled.shape[0] + 1, self.filled.shape[1] + 1), dtype=np.int32)
+        np.add.at(steps, (x0, y0), 1)
+        np.add.at(steps, (x1, y1), 1)
+        np.add.at(steps, (x0, y1), -1)
+        np.add.at(steps, (x1, y0), -1)
+        covered = np.cumsum(np.cumsum(steps, axis=0), axis=1)[:-1, :-1]
+        return np.asarray(self.filled & (covered == 0))
+
+
+def rastered(region: Polygon, boxes: Array) -> Raster | None:
+    """A polygon on the grid of its own coordinates and of some boxes.
 
     Parameters
     ----------
@@ -31,27 +83,20 @@ def less_boxes(region: Polygon, boxes: Array) -> Polygon | None:
 
     Returns
     -------
-    Polygon or None
-        None where the region has other angles, or what is left is no one simple polygon.
+    Raster or None
+        None where the region has other angles.
     """
     rings = [shapely.get_coordinates(ring)[:-1] for ring in (region.exterior, *region.interiors)]
     flat = np.vstack(rings)
     xs = np.unique(np.concatenate([flat[:, 0], boxes[:, 0], boxes[:, 2]]))
     ys = np.unique(np.concatenate([flat[:, 1], boxes[:, 1], boxes[:, 3]]))
-    # One empty row around, so that every corner has four cells.
     filled = np.zeros((len(xs) + 1, len(ys) + 1), dtype=bool)
     for ring in rings:
         if not _toggle(filled, np.searchsorted(xs, ring[:, 0]), np.searchsorted(ys, ring[:, 1])):
             return None
-    low = np.searchsorted(xs, boxes[:, [0, 2]]) + 1
-    high = np.searchsorted(ys, boxes[:, [1, 3]]) + 1
-    for (x0, x1), (y0, y1) in zip(low.tolist(), high.tolist(), strict=True):
-        filled[x0:x1, y0:y1] = False
-    loops = _traced(filled)
-    if loops is None:
-        return None
-    outer, *holes = [np.column_stack([xs[loop[:, 0]], ys[loop[:, 1]]]) for loop in loops]
-    return Polygon(outer, holes)
+    across = np.searchsorted(xs, boxes[:, [0, 2]]) + 1
+    up = np.searchsorted(ys, boxes[:, [1, 3]]) + 1
+    return Raster(xs, ys, filled, np.hstack([across, up]))
 
 
 def wide_all_over(polygon: Polygon, least: float) -> bool:

@@ -11,8 +11,9 @@ move
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import combinations
+from typing import Protocol
 
 import numpy as np
 import shapely
@@ -21,8 +22,6 @@ from shapely.geometry import Polygon
 from ...solver.values import Array
 from .pieces import NO_SLACK, Piece
 from .walls import Wall
-
-OutlineOf = Callable[[int, Sequence[Piece]], Polygon]
 
 _ROUNDS = 24
 #: So many moves are tried in all; on bodies of dozens of boxes there would be no end.
@@ -34,6 +33,16 @@ _LEAST_MM3 = 1e-3
 _EIGHTHS = np.array([(x, y, z) for x in (0.25, 0.75) for y in (0.25, 0.75) for z in (0.25, 0.75)])
 
 
+class Cutter(Protocol):
+    """Cuts a wall by its number and the pieces."""
+
+    def outline(self, number: int, pieces: Sequence[Piece]) -> Polygon:
+        """What is left of it."""
+
+    def main_mm2(self, number: int, pieces: Sequence[Piece]) -> float:
+        """The area of the largest part of that."""
+
+
 class Repair:
     """The walls' pieces, changed as long as more space becomes filled.
 
@@ -43,8 +52,8 @@ class Repair:
     pieces : sequence of Piece
     outlines : sequence of Polygon
         What the pieces make of the walls.
-    outline : callable
-        Wall number and pieces: to the wall's outline.
+    cutter : Cutter
+        From a wall's number and pieces to its outline.
     """
 
     def __init__(
@@ -52,9 +61,9 @@ class Repair:
         walls: Sequence[Wall],
         pieces: Sequence[Piece],
         outlines: Sequence[Polygon],
-        outline: OutlineOf,
+        cutter: Cutter,
     ) -> None:
-        self.walls, self.pieces, self.outline_of = walls, list(pieces), outline
+        self.walls, self.pieces, self.cutter = walls, list(pieces), cutter
         self.outlines = list(outlines)
         self.mains = [_main(outline) for outline in outlines]
         self.left = _MOST_TRIES
@@ -103,9 +112,6 @@ class Repair:
                 rest = area * wall.thickness_mm - np.prod(np.clip(shared, 0.0, None), axis=1).sum()
                 if rest > _LEAST_MM3:
                     yield tuple(sorted({n, int(owners[k])})), float(rest)
-
-    def _outline(self, wall: int, pieces: Sequence[Piece]) -> Polygon:
-        return self.outline_of(wall, pieces)
 
     def _troubles(self) -> Iterator[Array]:
         """Boxes (low and high corner) that nobody fills."""
@@ -189,7 +195,7 @@ class Repair:
         """How much more space a move fills, mm3."""
         pieces = self._given(wall, some)
         more = sum(
-            (_main(self._outline(w, pieces)).area - self.mains[w].area) * self.walls[w].thickness_mm
+            (self.cutter.main_mm2(w, pieces) - self.mains[w].area) * self.walls[w].thickness_mm
             for w in sorted(self._changed(wall, some))
         )
         return float(more)
@@ -198,7 +204,7 @@ class Repair:
         changed = self._changed(wall, some)
         self.pieces, self._shares = self._given(wall, some), None
         for w in changed:
-            self.outlines[w] = self._outline(w, self.pieces)
+            self.outlines[w] = self.cutter.outline(w, self.pieces)
             self.mains[w] = _main(self.outlines[w])
 
 

@@ -2238,6 +2238,14 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>Zinken würden {} zerteilen</translation>
     </message>
     <message>
+        <source>{}: the slot for {} ({}) is {} mm from a border, less than the plate's {} mm; it may break</source>
+        <translation>{}: der Schlitz für {} ({}) liegt {} mm vor einem Rand, weniger als die {} mm der Platte; er kann ausbrechen</translation>
+    </message>
+    <message>
+        <source>{}: the slot for {} is {} mm from a border, less than the plate's {} mm; it may break</source>
+        <translation>{}: der Schlitz für {} liegt {} mm vor einem Rand, weniger als die {} mm der Platte; er kann ausbrechen</translation>
+    </message>
+    <message>
         <source>{} meet in a point: {} mm3 stay empty there, which square cuts cannot fill</source>
         <translation>{} treffen sich in einem Punkt: {} mm³ bleiben dort leer, die gerade Schnitte nicht füllen können</translation>
     </message>

@@ -2238,6 +2238,14 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>ほぞが {} を切り離してしまいます</translation>
     </message>
     <message>
+        <source>{}: the slot for {} ({}) is {} mm from a border, less than the plate's {} mm; it may break</source>
+        <translation>{}: {} ({}) のスロットは縁から {} mm で、板厚 {} mm より近くにあります。割れるかもしれません</translation>
+    </message>
+    <message>
+        <source>{}: the slot for {} is {} mm from a border, less than the plate's {} mm; it may break</source>
+        <translation>{}: {} のスロットは縁から {} mm で、板厚 {} mm より近くにあります。割れるかもしれません</translation>
+    </message>
+    <message>
         <source>{} meet in a point: {} mm3 stay empty there, which square cuts cannot fill</source>
         <translation>{} は一点で接しています: そこに {} mm³ の空きが残り、垂直な切断では埋められません</translation>
     </message>

@@ -1,7 +1,10 @@
 """A few of the hunt's random shapes, each held to all laws: `tests/hunting.py` runs any number."""
 
 import pytest
-from hunting import FAMILIES, outcome
+import shapely
+from hunting import FAMILIES, broken, case, outcome
+
+from incontext.workbench.fabrication import joined_plates
 
 #: Those that take long are left to the hunt.
 QUICK = [family for family in FAMILIES if family != "polycube"]
@@ -22,9 +25,9 @@ def test_prints_of_random_shapes(family):
 
 
 def test_a_slot_near_a_border_is_told():
-    model, settings = hunting.case("polycube", 11)
+    model, settings = case("polycube", 11)
     joined = joined_plates(model, settings)
-    assert not list(hunting.broken(model, settings, joined))
+    assert not list(broken(model, settings, joined))
     (note,) = [note for note in joined.notes if "slot for" in note]
     assert note == (
         "f5: the slot for f29 (e18) is 4.5 mm from a border, less than the plate's 6 mm; "

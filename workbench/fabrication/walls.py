@@ -18,6 +18,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 from shapely.geometry import Polygon, box
 
 from ...solver.model import Model, ModelFace
@@ -216,13 +217,25 @@ def _straightened(ring: Array) -> Array:
     # Of two points in one place neither would have a turn.
     apart = np.abs(ring - np.concatenate((ring[-1:], ring[:-1]))).max(axis=1) > _ONE_PLACE_MM
     ring = ring[apart]
+    straight = _straight(ring)
+    while straight.any():
+        # Of neighbours one at a time: both ends of a very short side look straight, but where
+        # both go, so does the corner that they make.
+        first = straight & ~np.concatenate((straight[-1:], straight[:-1]))
+        if not first.any():
+            break
+        ring = ring[~first]
+        straight = _straight(ring)
+    return ring
+
+
+def _straight(ring: Array) -> NDArray[np.bool_]:
     before = ring - np.concatenate((ring[-1:], ring[:-1]))
     after = np.concatenate((before[1:], before[:1]))
     turn = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
     lengths = np.hypot(before[:, 0], before[:, 1])
     scale = lengths + np.concatenate((lengths[1:], lengths[:1]))
-    kept: Array = ring[np.abs(turn) > 1e-7 * scale]
-    return kept
+    return np.asarray(np.abs(turn) <= 1e-7 * scale)
 
 
 def extended(wall: Wall, walls: list[Wall]) -> Wall:

@@ -132,6 +132,14 @@ def test_plane_geometry_at_its_edges():
         ("11/2", 5.5),
         ('3"', 76.2),
         ("2 FT", 609.6),
+        ("2*18 mm + 5 mm", 41),
+        ("=210 - 2*3", 204),
+        ("(21 cm - 3 mm)/2", 103.5),
+        ("1 cm + 3/4 in", 29.05),
+        ("18 mm * 3/4", 13.5),
+        ("300/4/3", 25),
+        ("2 × 1,5cm", 30),
+        ("5' 6 1/2\"", 1689.1),
     ],
 )
 def test_lengths_are_read_as_people_write_them(text, length_mm):
@@ -144,7 +152,12 @@ def test_a_length_that_is_opened_and_left_stays_as_it_was(length_mm):
 
 
 @pytest.mark.parametrize(
-    "text", ["", "0", "-3", "abc", "3 parsec", "1/0 in", "1.5 1/2 in", "1e9", "9999999 m", "1 2"]
+    "text",
+    [
+        *("", "0", "-3", "abc", "3 parsec", "1/0 in", "1.5 1/2 in", "1e9", "9999999 m", "1 2"),
+        *("3 mm +", "2 mm * 3 mm", "1/(2 mm)", "(3", "3)", "()", "5 - 2 cm", "+3", "3 + * 4", "3!"),
+        *("1 mm + 2 mm * 3 mm", "(" * 300 + "1", "9" * 150 + "*" + "9" * 40),
+    ],
 )
 def test_what_is_no_length_is_refused_with_an_example(text):
     with pytest.raises(ValueError, match="21 cm"):

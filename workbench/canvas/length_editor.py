@@ -35,8 +35,7 @@ class LengthEditor(QtGui.QLineEdit):
         super().__init__(parent)
         self._said = said
         self._question: Question | None = None
-        widest = max(self.fontMetrics().size(0, text).width() for text in _EXAMPLES.values())
-        self.setFixedWidth(widest + 20)
+        self.textChanged.connect(self._make_room)
         self.textEdited.connect(lambda _: self._show_fault(""))
         self.hide()
 
@@ -46,6 +45,7 @@ class LengthEditor(QtGui.QLineEdit):
         self._show_fault("")
         self.setPlaceholderText(self._view().in_words(_EXAMPLES[question.about]))
         self.setText("" if question.said_mm is None else exact_text(question.said_mm))
+        self._make_room(self.text())
         self.selectAll()
         area = self.parentWidget().rect()
         self.adjustSize()
@@ -54,6 +54,13 @@ class LengthEditor(QtGui.QLineEdit):
         self.move(x, y)
         self.show()
         self.setFocus()
+
+    def _make_room(self, text: str) -> None:
+        """As wide as an example, or what is typed."""
+        texts = (text, *_EXAMPLES.values())
+        width = max(self.fontMetrics().size(0, words).width() for words in texts) + 20
+        self.setFixedWidth(min(width, self.parentWidget().width()))
+        self.move(max(0, min(self.x(), self.parentWidget().width() - self.width())), self.y())
 
     def close_unsaid(self) -> None:
         """Say nothing."""

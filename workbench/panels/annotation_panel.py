@@ -44,6 +44,7 @@ class AnnotationPanel(QtGui.QWidget):
         self._list.itemChanged.connect(self._take_size)
         self._list.delete_pressed.connect(self.delete_selected)
         self._status = QtGui.QLabel()
+        self._status.setTextFormat(_Qt.RichText)
         self._status.setWordWrap(True)
         self._status.linkActivated.connect(self._go)
         self._counts = QtGui.QLabel()

@@ -30,6 +30,15 @@ def test_larger_photo_of_the_same_lens(tmp_path):
     assert large == pytest.approx(2 * small)
 
 
+def test_photo_of_any_size_without_a_warning(tmp_path, monkeypatch):
+    path = photo(tmp_path / "a.jpg", 28)
+    usual = focal_length_px(path)
+    # As large to Pillow as one of 200 megapixels is to its usual bound.
+    monkeypatch.setattr(Image, "MAX_IMAGE_PIXELS", 400 * 300 // 3)
+    assert focal_length_px(path) == usual
+    assert Image.MAX_IMAGE_PIXELS == 400 * 300 // 3
+
+
 @pytest.mark.parametrize("written", [None, 0])
 def test_lens_that_is_not_known(tmp_path, written):
     assert focal_length_px(photo(tmp_path / "a.jpg", written)) is None

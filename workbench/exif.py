@@ -10,9 +10,12 @@ written size
 
 from __future__ import annotations
 
+import contextlib
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from types import ModuleType
 
 _EXIF_IFD = 0x8769
 _FOCAL_35MM, _WRITTEN_WIDTH, _WRITTEN_HEIGHT = 0xA405, 0xA002, 0xA003
@@ -93,7 +96,7 @@ def photo_data(path: str | Path) -> PhotoData | None:
     except ModuleNotFoundError:
         return None
     try:
-        with Image.open(path) as photo:
+        with _of_any_size(Image), Image.open(path) as photo:
             exif, size = photo.getexif().get_ifd(_EXIF_IFD), photo.size
     except (OSError, ValueError, SyntaxError):
         # Qt reads formats that Pillow does not know: then nothing is known of the lens.
@@ -101,6 +104,16 @@ def photo_data(path: str | Path) -> PhotoData | None:
     width, height = (_number(exif.get(tag)) for tag in (_WRITTEN_WIDTH, _WRITTEN_HEIGHT))
     written = None if width is None or height is None else (int(width), int(height))
     return PhotoData(size, _number(exif.get(_FOCAL_35MM)), written)
+
+
+@contextlib.contextmanager
+def _of_any_size(images: ModuleType) -> Iterator[None]:
+    """Pillow warns of photos over 89 megapixels; nothing but what is written in them is read."""
+    most, images.MAX_IMAGE_PIXELS = images.MAX_IMAGE_PIXELS, None
+    try:
+        yield
+    finally:
+        images.MAX_IMAGE_PIXELS = most
 
 
 def focal_length_px(path: str | Path) -> float | None:

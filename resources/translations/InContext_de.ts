@@ -196,8 +196,8 @@
         <translation>Kante oder Kreis anklicken und das Maß eingeben: 210, 21 cm oder 3/4 in</translation>
     </message>
     <message>
-        <source>Click an edge or a circle, type its size (210, 21 cm, 3/4 in); empty removes it</source>
-        <translation>Kante oder Kreis anklicken, Maß eingeben (210, 21 cm, 3/4 in); leer entfernt es</translation>
+        <source>Click an edge or a circle and type its size (21 cm, 2*18 mm + 5); empty removes it</source>
+        <translation>Kante oder Kreis anklicken, Maß eingeben (21 cm, 2*18 mm + 5); leer entfernt es</translation>
     </message>
     <message>
         <source>Click edges that are equally long, then Enter or right click</source>
@@ -416,8 +416,8 @@
         <translation>Den oberen Kreis des neuen Objekts ziehen oder einen gezeichneten anklicken</translation>
     </message>
     <message>
-        <source>Drag to move, Delete to remove, X for construction; Shift-click adds</source>
-        <translation>Ziehen verschiebt, Entf löscht, X macht zur Hilfsgeometrie; Umschalt-Klick fügt hinzu</translation>
+        <source>Drag to move, Shift-click to add, Delete; type a length; right click shows more</source>
+        <translation>Ziehen verschiebt, Entf löscht, Umschalt-Klick fügt hinzu; Länge eintippen; Rechtsklick: mehr</translation>
     </message>
     <message>
         <source>Draw a new object over one photo, get a 3D shape and plates to cut</source>
@@ -1256,6 +1256,10 @@
         <translation>Symmetrieebene</translation>
     </message>
     <message>
+        <source>Take the suggestion (Y)</source>
+        <translation>Vorschlag übernehmen (Y)</translation>
+    </message>
+    <message>
         <source>Take all {} suggestions (Y)</source>
         <translation>Alle {} Vorschläge übernehmen (Y)</translation>
     </message>
@@ -1430,8 +1434,8 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>Nochmals versuchen</translation>
     </message>
     <message>
-        <source>Type a length, such as 210, 21 cm or 3/4 in</source>
-        <translation>Bitte eine Länge eingeben, etwa 210, 21 cm oder 3/4 in</translation>
+        <source>Type a length, such as 210, 21 cm, 3/4 in or 2*18 mm + 5 mm</source>
+        <translation>Bitte eine Länge eingeben, etwa 210, 21 cm, 3/4 in oder 2*18 mm + 5 mm</translation>
     </message>
     <message>
         <source>Unknowns: {} before, {} with what is true</source>
@@ -3072,6 +3076,18 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
     <message>
         <source>side inside, or one thickness for all of them</source>
         <translation>Seite inside oder eine Dicke für alle</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Alles auswählen</translation>
+    </message>
+    <message>
+        <source>Whole photo</source>
+        <translation>Ganzes Foto</translation>
+    </message>
+    <message>
+        <source>Click the next end, or type how long the last line is; right click stops</source>
+        <translation>Nächstes Ende anklicken oder die Länge der letzten Linie eingeben; Rechtsklick beendet</translation>
     </message>
 </context>
 </TS>

@@ -196,8 +196,8 @@
         <translation>辺または円をクリックし寸法を入力: 210、21 cm、3/4 in</translation>
     </message>
     <message>
-        <source>Click an edge or a circle, type its size (210, 21 cm, 3/4 in); empty removes it</source>
-        <translation>辺または円をクリックし寸法を入力(210、21 cm、3/4 in)。空欄で削除</translation>
+        <source>Click an edge or a circle and type its size (21 cm, 2*18 mm + 5); empty removes it</source>
+        <translation>辺または円をクリックし寸法を入力(21 cm、2*18 mm + 5)。空欄で削除</translation>
     </message>
     <message>
         <source>Click edges that are equally long, then Enter or right click</source>
@@ -416,8 +416,8 @@
         <translation>新しい物の上の円をドラッグ、または描いた円をクリック</translation>
     </message>
     <message>
-        <source>Drag to move, Delete to remove, X for construction; Shift-click adds</source>
-        <translation>ドラッグで移動、Delete で削除、X で補助線。Shift+クリックで追加</translation>
+        <source>Drag to move, Shift-click to add, Delete; type a length; right click shows more</source>
+        <translation>ドラッグで移動、Delete で削除。Shift+クリックで追加。数字で長さを入力。右クリックでメニュー</translation>
     </message>
     <message>
         <source>Draw a new object over one photo, get a 3D shape and plates to cut</source>
@@ -1256,6 +1256,10 @@
         <translation>対称面</translation>
     </message>
     <message>
+        <source>Take the suggestion (Y)</source>
+        <translation>提案を採用 (Y)</translation>
+    </message>
+    <message>
         <source>Take all {} suggestions (Y)</source>
         <translation>提案 {} 件をすべて採用 (Y)</translation>
     </message>
@@ -1430,8 +1434,8 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>再試行</translation>
     </message>
     <message>
-        <source>Type a length, such as 210, 21 cm or 3/4 in</source>
-        <translation>長さを入力してください(例: 210、21 cm、3/4 in)</translation>
+        <source>Type a length, such as 210, 21 cm, 3/4 in or 2*18 mm + 5 mm</source>
+        <translation>長さを入力してください(例: 210、21 cm、3/4 in、2*18 mm + 5 mm)</translation>
     </message>
     <message>
         <source>Unknowns: {} before, {} with what is true</source>
@@ -3072,6 +3076,18 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
     <message>
         <source>side inside, or one thickness for all of them</source>
         <translation>side を inside にするか、厚さをそろえる</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>すべて選択</translation>
+    </message>
+    <message>
+        <source>Whole photo</source>
+        <translation>写真全体を表示</translation>
+    </message>
+    <message>
+        <source>Click the next end, or type how long the last line is; right click stops</source>
+        <translation>次の終点をクリック、または直前の線の長さを入力。右クリックで終了</translation>
     </message>
 </context>
 </TS>

@@ -135,12 +135,12 @@ def test_symmetry_is_picked_middle_by_middle():
         hand.click(*place, adding=True)
     hand.click(100, 150)
     assert hand.words == []
-    hand.drawing.finish()
+    hand.drawing.enter()
     assert hand.graph.annotations["a1"] == SymmetryPlane(("e1", "e3"))
     hand.click(150, 100, adding=True)
     hand.drawing.escape()
     assert hand.drawing.tool.NAME == "symmetry_plane"
-    hand.drawing.finish()
+    hand.drawing.enter()
     assert len(hand.words) == 1
 
 

@@ -32,7 +32,7 @@ PLACES = st.tuples(st.integers(30, 50), st.integers(16, 44)).map(
     lambda p: (10.0 * p[0], 10.0 * p[1])
 )
 REACH_PX = 9.0
-KEYS = ["finish", "enter", "escape", "delete", "select_all", "toggle_construction"]
+KEYS = ["enter", "escape", "delete", "select_all", "toggle_construction"]
 
 
 def shelf():

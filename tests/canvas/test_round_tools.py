@@ -149,7 +149,7 @@ def test_the_surface_is_there_before_the_side_is_whole(lid):
     lid.click(160, 130)
     lid.click(150, 90)
     assert lid.graph.revolutions["r1"].profile == ("v1", "v2")
-    lid.drawing.finish()
+    lid.drawing.enter()
     assert "ground" in lid.drawing.tool.hint
 
 

@@ -208,17 +208,102 @@ def test_groups_are_picked_and_done(tool, kind):
     hand.click(130, 100)
     hand.click(130, 200)
     assert hand.words == []
-    hand.drawing.finish()
+    hand.drawing.enter()
     assert list(hand.graph.annotations.values()) == [kind(("e1", "e3"))]
     # An edge of the group takes it up again: one more in, all but one out.
     hand.click(130, 100)
     hand.click(200, 130)
-    hand.drawing.finish()
+    hand.drawing.enter()
     assert list(hand.graph.annotations.values()) == [kind(("e1", "e3", "e2"))]
     for place in ((130, 100), (200, 130), (130, 200)):
         hand.click(*place)
-    hand.drawing.finish()
+    hand.drawing.enter()
     assert not hand.graph.annotations
+
+
+@pytest.mark.parametrize(
+    ("tool", "edges", "said"),
+    [
+        ("parallel", "e1 e3", Parallel(("e1", "e3"))),
+        ("equal_length", "e1 e2 e4", EqualLength(("e1", "e2", "e4"))),
+        ("right_angle", "e1 e2", RightAngle("v2", ("e1", "e2"))),
+        ("ground", "e1 e2", Ground(("v1", "v2", "v3"))),
+        ("right_angle", "e1 e3", None),
+        ("parallel", "e1", None),
+        ("ground", "e1", None),
+        ("line", "e1 e3", None),
+    ],
+)
+def test_a_tool_says_of_what_was_selected_what_it_says(tool, edges, said):
+    for take in (ToolAtWork.use, ToolAtWork.say_of_selection):
+        hand = Hand()
+        hand.drawing.select(Selection(edges=frozenset(edges.split())))
+        take(hand.drawing, tool)
+        assert list(hand.graph.annotations.values()) == ([] if said is None else [said])
+        assert len(hand.words) == len(hand.graph.annotations)
+        hand.drawing.use("select")
+        hand.drawing.select(Selection(edges=frozenset(edges.split())))
+        hand.drawing.use(tool)
+        # It says it once, and what another tool has picked is none of its business.
+        assert len(hand.graph.annotations) == (said is not None)
+
+
+def test_selected_edges_join_the_group_that_one_is_in():
+    hand = Hand()
+    for edges in ("e1 e3", "e2 e3"):
+        hand.drawing.select(Selection(edges=frozenset(edges.split())))
+        hand.drawing.use("equal_length")
+        hand.drawing.use("select")
+    assert list(hand.graph.annotations.values()) == [EqualLength(("e1", "e3", "e2"))]
+
+
+def test_a_number_means_the_line_or_circle_drawn_last_or_what_is_selected():
+    hand = Hand(tool="line")
+    assert hand.drawing.tool.size_meant() is None
+    hand.click(50, 50)
+    hand.click(60, 90)
+    (edge,) = set(hand.graph.edges) - set(SQUARE.edges)
+    assert hand.drawing.tool.size_meant() == Question(About.EDGE, edge, (55, 70), None)
+    hand.drawing.escape()
+    hand.click(20, 20)
+    assert hand.drawing.tool.size_meant() is None
+    hand.drawing.use("circle")
+    hand.drag((300, 300), (360, 340))
+    assert hand.drawing.tool.size_meant().about is About.CIRCLE
+    hand.drawing.use("length")
+    hand.drawing.move(hand.at(130, 103))
+    assert hand.drawing.tool.size_meant().target == "e1"
+    hand.drawing.use("select")
+    hand.drawing.select_all()
+    assert hand.drawing.tool.size_meant() is None
+    hand.click(130, 100)
+    assert hand.drawing.tool.size_meant().target == "e1"
+
+
+def test_a_double_click_on_an_edge_asks_for_its_length_and_so_does_the_tool_then_taken():
+    hand = Hand()
+    for second in (False, False, True):
+        assert hand.asked == []
+        pointer = Pointer((130, 100), 8.0, is_second=second)
+        hand.drawing.press(pointer)
+        hand.drawing.release(pointer)
+    hand.drawing.use("length")
+    assert hand.asked == 2 * [Question(About.EDGE, "e1", (150, 100), None)]
+
+
+def test_the_right_button_selects_what_it_means_and_keeps_what_is_selected_with_it():
+    hand = Hand()
+    assert hand.drawing.right(hand.at(130, 100))
+    assert hand.drawing.selection == Selection(edges=frozenset(("e1",)))
+    hand.drawing.select_all()
+    assert hand.drawing.right(hand.at(130, 100))
+    assert len(hand.drawing.selection.edges) == 4
+    assert hand.drawing.right(hand.at(400, 400))
+    assert not hand.drawing.selection
+    hand.drawing.press(hand.at(130, 100))
+    assert not hand.drawing.right(hand.at(130, 100))
+    hand.drawing.use("line")
+    assert not hand.drawing.right(hand.at(130, 100))
 
 
 def test_a_group_that_was_begun_is_kept_when_another_tool_is_taken():
@@ -304,16 +389,16 @@ def test_deleting_what_a_group_has_picked_does_no_harm():
     hand.click(130, 100)
     hand.click(130, 200)
     hand.drawing.delete()
-    hand.drawing.finish()
+    hand.drawing.enter()
     assert not hand.graph.annotations
 
 
 #: Few places, near together: what is random must meet what is there.
 PLACES = st.tuples(st.integers(8, 22), st.integers(8, 22)).map(lambda p: (10.0 * p[0], 10.0 * p[1]))
-MOUSE = st.tuples(st.sampled_from(["press", "move", "release", "click"]), PLACES)
+MOUSE = st.tuples(st.sampled_from(["press", "move", "release", "click", "right"]), PLACES)
 KEYS_PRESSED = st.tuples(
     st.sampled_from(
-        ["finish", "escape", "delete", "select_all", "toggle_construction", "undo", *TOOLS]
+        ["enter", "escape", "delete", "select_all", "toggle_construction", "undo", *TOOLS]
     ),
     st.none(),
 )

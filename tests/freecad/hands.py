@@ -58,6 +58,10 @@ class Hands:
         self.move(point)
         self._do("click", "1")
 
+    def rightclick(self) -> None:
+        """Press and let go the right button, where the pointer is."""
+        self._do("click", "3")
+
     def double_click(self, point) -> None:
         """Press and let go twice at a position."""
         self.move(point)

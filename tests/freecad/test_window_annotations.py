@@ -121,6 +121,7 @@ def test_what_disagrees_is_red_and_says_by_how_much(panel, controller):
 
 
 def test_status_has_links_that_go_there(panel, controller):
+    assert panel._status.textFormat() == QtCore.Qt.RichText
     body = json.loads(controller.obj.Sketch)
     body["annotations"] = {"ground": body["annotations"]["ground"]}
     controller.write(sketch_from_text(json.dumps(body)), "Less")

@@ -3,7 +3,7 @@
 import FreeCADGui
 import numpy as np
 import pytest
-from PySide import QtCore
+from PySide import QtCore, QtGui
 
 from incontext.solver.camera import Camera
 from incontext.solver.editing.annotating import set_length
@@ -168,9 +168,35 @@ def test_what_is_typed_stays_in_the_field_for_a_length(person, document):
     assert person.view.tool_name == "line"
 
 
-def test_empty_sketch_says_what_to_do_and_each_tool_what_comes_next(person):
-    from PySide import QtGui
+def test_a_length_is_typed_after_a_line_and_over_what_is_selected(person, document):
+    person.press("l")
+    person.click("g0")
+    person.click("g1")
+    person.type("2*10 cm + 5 mm")
+    person.press("Return")
+    lengths = person.view.graph.annotations_of("length")
+    assert [a.length_mm for a in lengths.values()] == [205]
+    # The chain goes on; then the same by the right button's menu.
+    person.click("g2")
+    person.press("s")
+    person.hands.move(person.at("g1", "g2"))
+    person.hands.rightclick()
+    menu = QtGui.QApplication.activePopupWidget()
+    assert [a.text().split("\t")[1] for a in menu.actions() if a.text()][:3] == ["D", "X", "Del"]
+    person.press("Down")
+    person.press("Return")
+    person.type("13 cm")
+    person.press("Return")
+    lengths = person.view.graph.annotations_of("length")
+    assert [a.length_mm for a in lengths.values()] == [205, 130]
+    assert document.UndoNames[:2] == ["Set length", "Draw line"]
+    # Where nothing has a size, a digit is FreeCAD's.
+    person.press("Escape")
+    person.press("1")
+    assert not person.view.findChild(QtGui.QLineEdit).isVisible()
 
+
+def test_empty_sketch_says_what_to_do_and_each_tool_what_comes_next(person):
     from incontext.workbench.panels.open_tabs import open_tabs
 
     tab = open_tabs()[0].tab

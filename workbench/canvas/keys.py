@@ -67,6 +67,12 @@ def _by_arrows(
     return None if way is None or found is None else (found * way[0], found * way[1])
 
 
+def begins_number(event: QtGui.QKeyEvent) -> bool:
+    """Whether a key begins a number; some keyboards make digits with Shift."""
+    plain = not event.modifiers() & ~(_Qt.ShiftModifier | _Qt.KeypadModifier)
+    return plain and event.text() in set("0123456789.,")
+
+
 def meaning(event: QtGui.QKeyEvent) -> str:
     """What a key means, a tool's letter for a tool; nothing where it is not ours."""
     if event.matches(QtGui.QKeySequence.Undo):

@@ -39,14 +39,16 @@ class LengthEditor(QtGui.QLineEdit):
         self.textEdited.connect(lambda _: self._show_fault(""))
         self.hide()
 
-    def open(self, question: Question, middle: QtCore.QPoint) -> None:
-        """Ask, at a place on the screen."""
+    def open(self, question: Question, middle: QtCore.QPoint, begun: str = "") -> None:
+        """Ask, at a place on the screen; the answer may have been begun."""
         self._question = question
         self._show_fault("")
         self.setPlaceholderText(self._view().in_words(_EXAMPLES[question.about]))
-        self.setText("" if question.said_mm is None else exact_text(question.said_mm))
+        said = "" if question.said_mm is None else exact_text(question.said_mm)
+        self.setText(begun or said)
         self._make_room(self.text())
-        self.selectAll()
+        if not begun:
+            self.selectAll()
         area = self.parentWidget().rect()
         self.adjustSize()
         x = max(0, min(middle.x() - self.width() // 2, area.width() - self.width()))

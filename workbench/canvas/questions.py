@@ -10,6 +10,7 @@ from .plane import Point, middle
 
 if TYPE_CHECKING:
     from ...solver.graph import SketchGraph
+    from .selection import Selection
 
 
 class About(Enum):
@@ -61,6 +62,15 @@ def about_annotation(graph: SketchGraph, id_: str) -> Question | None:
     if annotation.kind == "length":
         return about_edge(graph, annotation.edge)
     return about_circle(graph, annotation.circle) if annotation.kind == "diameter" else None
+
+
+def about_selection(graph: SketchGraph, chosen: Selection) -> Question | None:
+    """The one question that what is selected can answer; None where there is none, or several."""
+    of_sizes = (about_annotation(graph, id_) for id_ in chosen.annotations)
+    found = [question for question in of_sizes if question is not None]
+    found += [about_edge(graph, edge) for edge in chosen.edges]
+    found += [about_circle(graph, circle) for circle in chosen.circles]
+    return found[0] if len(found) == 1 else None
 
 
 @dataclass(frozen=True, slots=True)

@@ -50,7 +50,7 @@ class ToolAtWork(Drawing):
     def use(self, name: str) -> None:
         """Take another tool; what the old one had begun is finished where that makes sense.
 
-        One that is at work already is told so.
+        The new one may say something of what was selected. One that is at work already is told so.
         """
         if name == self._tool.NAME:
             self._tool.again()
@@ -58,11 +58,17 @@ class ToolAtWork(Drawing):
             return
         self._tool.finish()
         self._tool.cancel()
+        chosen = self.selection if self._tool.NAME == "select" else Selection()
         self.select(Selection())
         self._tool = TOOLS[name](self)
         if self._pointer is not None:
             self._tool.move(self._pointer)
+        self._tool.begin_with(chosen)
         self._listener.changed()
+
+    def say_of_selection(self, name: str) -> None:
+        """Say of what is selected what a tool says, and keep the tool at work."""
+        TOOLS[name](self).begin_with(self.selection)
 
     @property
     def preview(self) -> Preview:
@@ -89,10 +95,11 @@ class ToolAtWork(Drawing):
         self._tool.release(pointer)
         self._listener.changed()
 
-    def finish(self) -> None:
-        """The right button: done with what was begun."""
-        self._tool.finish()
+    def right(self, pointer: Pointer) -> bool:
+        """The right button: done with what was begun; says whether it is to have a menu."""
+        wants_menu = self._tool.right(pointer)
         self._listener.changed()
+        return wants_menu
 
     def enter(self) -> None:
         """The Enter key: done with what was begun; or change what is selected."""

@@ -7,8 +7,10 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from . import keys, overlay, previews, style, symbols, turning
+from .context_menu import open_menu
 from .drawing import Listener
 from .evident import taken
+from .extent import sketch_size
 from .ghosts import Ghosts
 from .grid_painting import paint_grid, paint_note
 from .key_cursor import KeyCursor
@@ -37,9 +39,6 @@ if TYPE_CHECKING:
     from .solved import Solved
 
 _Qt = QtCore.Qt
-
-#: Without a photo, the sketch lies on an empty area at least this large, px.
-LEAST_SIZE = (800.0, 600.0)
 
 
 class SketchView(PhotoView):
@@ -318,13 +317,13 @@ class SketchView(PhotoView):
     # Mouse
 
     def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:  # noqa: N802  Qt's names
-        """Take hold of the photo, or let the tool work; the right button ends what was begun."""
+        """Take hold of the photo, or let the tool work; the right button ends it, or has a menu."""
         super().mousePressEvent(event)
         self._editor.close_unsaid()
         if event.button() == _Qt.LeftButton and not self.is_panning:
             self._press_at(self._pointer(event))
-        elif event.button() == _Qt.RightButton:
-            self._drawing.finish()
+        elif event.button() == _Qt.RightButton and self._drawing.right(self._pointer(event)):
+            open_menu(self, self._drawing, self.viewport().mapToGlobal(position_of(event)))
 
     def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:  # noqa: N802
         """Pan, or let the tool follow."""
@@ -370,7 +369,8 @@ class SketchView(PhotoView):
 
     def _pointer(self, event: QtGui.QMouseEvent) -> Pointer:
         point = self.mapToScene(position_of(event))
-        return self._pointer_at((point.x(), point.y()), event.modifiers())
+        twice = event.type() == QtCore.QEvent.MouseButtonDblClick
+        return replace(self._pointer_at((point.x(), point.y()), event.modifiers()), is_second=twice)
 
     def _pointer_at(self, place_px: Point, held: _Qt.KeyboardModifiers) -> Pointer:
         free = bool(held & _Qt.ControlModifier)
@@ -381,7 +381,9 @@ class SketchView(PhotoView):
 
     def event(self, event: QtCore.QEvent) -> bool:
         """Claim our keys before FreeCAD's shortcuts: Delete would delete the selected object."""
-        if event.type() == QtCore.QEvent.ShortcutOverride and keys.meaning(event):
+        if event.type() == QtCore.QEvent.ShortcutOverride and (
+            keys.meaning(event) or self._sized_by(event)
+        ):
             event.accept()
             return True
         if event.type() == QtCore.QEvent.KeyPress and keys.meaning(event) == "next":
@@ -397,6 +399,10 @@ class SketchView(PhotoView):
             self.use_tool(KEYS[meaning])
             return
         if self._point_by_key(event, meaning):
+            return
+        question = self._sized_by(event)
+        if question is not None:
+            self._ask(question, event.text())
             return
         action = {
             "undo": self.undo_asked.emit,
@@ -418,6 +424,11 @@ class SketchView(PhotoView):
             super().keyPressEvent(event)
         else:
             action()
+
+    def _sized_by(self, event: QtGui.QKeyEvent) -> Question | None:
+        """Whose size a number means that a key begins; FreeCAD has other uses for these keys."""
+        begins = keys.begins_number(event) and not self.is_in_hand
+        return self._drawing.tool.size_meant() if begins else None
 
     def _point_by_key(self, event: QtGui.QKeyEvent, meaning: str) -> bool:
         """Point, push or click by a key, if it means that."""
@@ -475,15 +486,6 @@ class SketchView(PhotoView):
         if self.tool_name != before:
             self.tool_changed.emit(self.tool_name)
 
-    def _ask(self, question: Question) -> None:
+    def _ask(self, question: Question, begun: str = "") -> None:
         x, y = self._on_screen(question.at_px)
-        self._editor.open(question, QtCore.QPoint(round(x), round(y)))
-
-
-def sketch_size(graph: SketchGraph) -> tuple[float, float]:
-    """The photo's size as the sketch knows it; without a photo, room for the drawing."""
-    if graph.photo is not None:
-        return (float(graph.photo.width_px), float(graph.photo.height_px))
-    us = [u for u, _ in graph.vertices.values()]
-    vs = [v for _, v in graph.vertices.values()]
-    return (max(us, default=0.0) + 50.0, max(vs, default=0.0) + 50.0) if us else LEAST_SIZE
+        self._editor.open(question, QtCore.QPoint(round(x), round(y)), begun)

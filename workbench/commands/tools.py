@@ -40,8 +40,9 @@ class ToolCommand(Command):
 
         try:
             controller = active_tab() or show_tab(chosen(is_photo_sketch, "a photo sketch"))
-            controller.tab.view.use_tool(self.TOOL)
+            # First: the tool may open a field to type in.
             controller.tab.view.setFocus()
+            controller.tab.view.use_tool(self.TOOL)
         finally:
             # The press has turned the button over, whatever came of it.
             show_active_tool()

@@ -157,7 +157,8 @@ class AnnotationPanel(QtGui.QWidget):
         controller = self.controller
         self._status.setText("" if controller is None else controller.tab.outcome_with_links)
         suggestions = () if controller is None else controller.tab.view.suggestions
-        words = host.translate("InContext", "Take all {} suggestions (Y)")
+        one, all_of = "Take the suggestion (Y)", "Take all {} suggestions (Y)"
+        words = host.translate("InContext", one if len(suggestions) == 1 else all_of)
         self._suggested.setText(words.format(len(suggestions)))
         self._suggested.setVisible(bool(suggestions))
         self._say_of_traced()

@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING, Any
 
 from .. import host
 from ..canvas.evident import evident
+from ..canvas.extent import sketch_size
 from ..canvas.lifted import LiftedView, lifted_view
 from ..canvas.photo import LARGE_PX, PhotoError, load_photo, photo_size
 from ..canvas.photo_loading import PhotoLoading
 from ..canvas.solved import Solved
-from ..canvas.view import sketch_size
 from ..features import pipeline
 from ..features.lifted_model import is_lifted_model
 from ..features.photo_change import replace_photo

@@ -12,7 +12,10 @@ from ..preview import Preview
 from ..snapping import Lead, Snap, SnapKind, always, never, snap
 
 if TYPE_CHECKING:
+    from ....solver.graph import SketchGraph
     from ..drawing import Drawing
+    from ..questions import Question
+    from ..selection import Selection
 
 #: A press and its release this many times the reach apart draw; closer, they are a click.
 DRAG = 0.6
@@ -34,12 +37,15 @@ class Pointer:
         Whether the key is held that adds to a selection, and joins edges where they cross.
     is_free : bool
         Whether the key is held that keeps the pointer from sticking to anything.
+    is_second : bool
+        Whether it is the second press of a double click.
     """
 
     point_px: Point
     reach_px: float
     adding: bool = False
     is_free: bool = False
+    is_second: bool = False
 
     def is_far_from(self, point_px: Point, reaches: float = DRAG) -> bool:
         """Whether a position is more than so many times the reach away."""
@@ -55,6 +61,8 @@ class Tool:
     NAME: ClassVar[str]
     KEY: ClassVar[str]
     TITLE: ClassVar[str]
+    #: Names the step in the undo list.
+    WORDS: ClassVar[str] = ""
     #: Whether the pointer is a cross, which points better than an arrow.
     CROSS: ClassVar[bool] = True
 
@@ -71,8 +79,31 @@ class Tool:
         """Whether a press would take hold of something to move it."""
         return False
 
+    @classmethod
+    def says(cls, graph: SketchGraph, chosen: Selection) -> SketchGraph | None:
+        """The graph with what the tool says said of all that is chosen; None where it says nothing.
+
+        Of one vertex or edge nothing: it may still be selected from moving it.
+        """
+        return None
+
+    def begin_with(self, chosen: Selection) -> None:
+        """The tool is taken: say what it says of what was selected."""
+        said = self.says(self.drawing.committed, chosen)
+        if said is not None:
+            self.drawing.commit(said, self.WORDS)
+
+    def size_meant(self) -> Question | None:
+        """Whose size a number means that is typed now; None where it means nothing."""
+        return None
+
     def press(self, pointer: Pointer) -> None:
         """The left button goes down."""
+
+    def right(self, pointer: Pointer) -> bool:
+        """The right button goes down: done with what was begun; True where it has a menu."""
+        self.finish()
+        return False
 
     def move(self, pointer: Pointer) -> None:
         """The pointer moves, with or without the button."""

@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from ....solver.editing.rounds import add_circle, ellipse_in_box
 from ....solver.graph import Ellipse
 from ..hit_testing import vertex_at
 from ..plane import Point
 from ..preview import Preview
+from ..questions import Question, about_circle
 from ..snapping import Snap, SnapKind
 from ..symbols import ellipse
 from .base import Pointer, TwoPointTool
+
+if TYPE_CHECKING:
+    from ..drawing import Drawing
 
 
 class BoxedTool(TwoPointTool):
@@ -66,6 +72,11 @@ class CircleTool(BoxedTool):
     KEY = "C"
     TITLE = "Circle"
 
+    def __init__(self, drawing: Drawing) -> None:
+        super().__init__(drawing)
+        #: The circle that was drawn last.
+        self._drawn = ""
+
     @property
     def hint(self) -> str:
         """See `Tool`."""
@@ -80,4 +91,10 @@ class CircleTool(BoxedTool):
     def _draw(self) -> None:
         drawn, self._start = self._ellipse(), None
         if drawn is not None:
-            self.drawing.commit(add_circle(self.drawing.committed, drawn)[0], "Draw circle")
+            graph, self._drawn = add_circle(self.drawing.committed, drawn)
+            self.drawing.commit(graph, "Draw circle")
+
+    def size_meant(self) -> Question | None:
+        """See `Tool`: of the circle that was drawn last."""
+        graph = self.drawing.graph
+        return about_circle(graph, self._drawn) if self._drawn in graph.circles else None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ....solver.editing.annotating import toggle_ground
+from ....solver.editing.annotating import on_ground, toggle_ground
 from .. import stops
 from ..hit_testing import edge_at, inside_box, vertex_at
 from ..loops import quad_around
@@ -14,6 +14,7 @@ from ..selection import Selection
 from .base import Pointer, Tool
 
 if TYPE_CHECKING:
+    from ....solver.graph import SketchGraph
     from ..drawing import Drawing
 
 
@@ -23,6 +24,7 @@ class GroundTool(Tool):
     NAME = "ground"
     KEY = "G"
     TITLE = "Ground"
+    WORDS = "Mark ground"
 
     def __init__(self, drawing: Drawing) -> None:
         super().__init__(drawing)
@@ -34,6 +36,15 @@ class GroundTool(Tool):
     def hint(self) -> str:
         """See `Tool`."""
         return "Click what stands on the ground: vertices, edges, the middle of a face; or box them"
+
+    @classmethod
+    def says(cls, graph: SketchGraph, chosen: Selection) -> SketchGraph | None:
+        """See `Tool`: all vertices, and those of the edges, stand on it."""
+        if len(chosen.vertices) + len(chosen.edges) < 2:
+            return None
+        named = chosen.vertices.union(*(graph.edges[e] for e in chosen.edges))
+        new = sorted(named - on_ground(graph))
+        return toggle_ground(graph, new) if new else None
 
     def stops(self, reach_px: float) -> list[Point]:
         """See `Tool`."""
@@ -79,7 +90,7 @@ class GroundTool(Tool):
         chosen = sorted(self._lit & set(self.drawing.committed.vertices))
         self.cancel()
         if chosen:
-            self.drawing.commit(toggle_ground(self.drawing.committed, chosen), "Mark ground")
+            self.drawing.commit(toggle_ground(self.drawing.committed, chosen), self.WORDS)
 
     def cancel(self) -> bool:
         """See `Tool`."""

@@ -13,6 +13,7 @@ from ..selection import Selection
 from .base import Pointer, Tool
 
 if TYPE_CHECKING:
+    from ....solver.graph import SketchGraph
     from ..drawing import Drawing
     from ..plane import Point
 
@@ -21,13 +22,22 @@ class GroupTool(Tool):
     """Collects edges click by click. An edge of a group that is there takes up this group again."""
 
     GROUP: ClassVar[type[Parallel] | type[EqualLength]]
-    WORDS: ClassVar[str]
 
     def __init__(self, drawing: Drawing) -> None:
         super().__init__(drawing)
         self._lit: str | None = None
         self._group: str | None = None
         self._picked: tuple[str, ...] = ()
+
+    @classmethod
+    def says(cls, graph: SketchGraph, chosen: Selection) -> SketchGraph | None:
+        """See `Tool`: one group of all edges, with those of a group that one is in."""
+        if len(chosen.edges) < 2:
+            return None
+        groups = graph.annotations_of(cls.GROUP.kind).items()
+        known = next(((id_, g.edges) for id_, g in groups if chosen.edges & {*g.edges}), (None, ()))
+        new = sorted(chosen.edges.difference(known[1]))
+        return set_group(graph, cls.GROUP, [*known[1], *new], known[0]) if new else None
 
     def stops(self, reach_px: float) -> list[Point]:
         """See `Tool`."""

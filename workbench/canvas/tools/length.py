@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from .. import stops
 from ..hit_testing import circle_at, edge_at
 from ..preview import Preview
-from ..questions import about_circle, about_edge
+from ..questions import Question, about_circle, about_edge, about_selection
 from ..selection import Selection
 from .base import Pointer, Tool
 
@@ -30,7 +30,17 @@ class LengthTool(Tool):
     @property
     def hint(self) -> str:
         """See `Tool`."""
-        return "Click an edge or a circle, type its size (210, 21 cm, 3/4 in); empty removes it"
+        return "Click an edge or a circle and type its size (21 cm, 2*18 mm + 5); empty removes it"
+
+    def begin_with(self, chosen: Selection) -> None:
+        """See `Tool`: asks for the size of the one thing that was selected."""
+        question = about_selection(self.drawing.graph, chosen)
+        if question is not None:
+            self.drawing.ask(question)
+
+    def size_meant(self) -> Question | None:
+        """See `Tool`: of what is pointed at."""
+        return about_selection(self.drawing.graph, self._lit)
 
     def stops(self, reach_px: float) -> list[Point]:
         """See `Tool`."""

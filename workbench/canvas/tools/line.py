@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
 from ....solver.editing.elements import add_edge
 from ..preview import Preview
+from ..questions import Question, about_edge
 from ..snapping import Lead, Snap, SnapKind, place
 from .base import DRAG, Pointer, TwoPointTool
+
+if TYPE_CHECKING:
+    from ..drawing import Drawing
 
 
 class LineTool(TwoPointTool):
@@ -17,12 +22,30 @@ class LineTool(TwoPointTool):
     KEY = "L"
     TITLE = "Line"
 
+    def __init__(self, drawing: Drawing) -> None:
+        super().__init__(drawing)
+        #: The edge that was drawn last.
+        self._drawn = ""
+
     @property
     def hint(self) -> str:
         """See `Tool`."""
         if self._start is None:
             return "Click the start of the line, or drag"
+        if self._drawn:
+            return "Click the next end, or type how long the last line is; right click stops"
         return "Click the end of the line; right click stops; Ctrl: no snapping, Shift: crossings"
+
+    def size_meant(self) -> Question | None:
+        """See `Tool`: of the line that was drawn last."""
+        graph = self.drawing.graph
+        return about_edge(graph, self._drawn) if self._drawn in graph.edges else None
+
+    def press(self, pointer: Pointer) -> None:
+        """See `Tool`."""
+        if self._start is None:
+            self._drawn = ""
+        super().press(pointer)
 
     def preview(self) -> Preview:
         """See `Tool`."""
@@ -54,7 +77,7 @@ class LineTool(TwoPointTool):
             self._start = None
             return
         was_there = self._end.kind is SnapKind.VERTEX
-        graph, _ = add_edge(graph, v, w)
+        graph, self._drawn = add_edge(graph, v, w)
         self.drawing.commit(graph, "Draw line")
         # Where a line comes back to the drawing, a loop is closed as a rule.
         self._start = None if was_there else Snap(SnapKind.VERTEX, graph.vertices[w], w)

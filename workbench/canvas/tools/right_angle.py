@@ -17,6 +17,7 @@ from .base import Pointer, Tool
 if TYPE_CHECKING:
     from ..drawing import Drawing
     from ..plane import Point
+    from ..selection import Selection
 
 #: A corner is meant up to this many times the reach from its vertex; further off, a quadrilateral.
 CORNER_REACH = 2.5
@@ -28,6 +29,7 @@ class RightAngleTool(Tool):
     NAME = "right_angle"
     KEY = "A"
     TITLE = "Right angle"
+    WORDS = "Mark right angle"
 
     def __init__(self, drawing: Drawing) -> None:
         super().__init__(drawing)
@@ -37,6 +39,16 @@ class RightAngleTool(Tool):
     def hint(self) -> str:
         """See `Tool`."""
         return "Click an angle near its corner, or inside a quadrilateral for all four"
+
+    @classmethod
+    def says(cls, graph: SketchGraph, chosen: Selection) -> SketchGraph | None:
+        """See `Tool`: between two edges that meet in a vertex."""
+        edges = tuple(sorted(chosen.edges))
+        if len(edges) != 2:
+            return None
+        corner = {*graph.edges[edges[0]]} & {*graph.edges[edges[1]]}
+        said = graph if len(corner) != 1 else annotate(graph, RightAngle(*corner, edges))[0]
+        return None if said is graph else said
 
     def stops(self, reach_px: float) -> list[Point]:
         """See `Tool`."""
@@ -65,7 +77,7 @@ class RightAngleTool(Tool):
         for angle in angles:
             marked, _ = annotate(marked, angle)
         if marked is not graph:
-            self.drawing.commit(marked, "Mark right angle")
+            self.drawing.commit(marked, self.WORDS)
         else:
             said = [annotate(graph, angle)[1] for angle in angles]
             self.drawing.commit(delete(graph, annotations=said), "Remove right angle")

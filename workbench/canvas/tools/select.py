@@ -11,7 +11,7 @@ from .. import style
 from ..hit_testing import AxisEnd, axis_end_at, circle_at, edge_at, inside_box, vertex_at
 from ..plane import Point, on_line
 from ..preview import Preview
-from ..questions import about_annotation
+from ..questions import Question, about_selection
 from ..said import annotation_at, on_photo, seen_at_vertex
 from ..selection import Selection
 from ..snapping import Snap, SnapKind
@@ -46,7 +46,7 @@ class SelectTool(Tool):
         self._led: Snap | None = None
         self._is_drag = False
         self._grip: AxisEnd | None = None
-        self._was_chosen = False
+        self._was_chosen = self._is_second = False
 
     @property
     def hint(self) -> str:
@@ -54,7 +54,7 @@ class SelectTool(Tool):
         if self.drawing.selection.annotations:
             return "Delete takes back what is said; a second click, or Enter, changes a size"
         if self.drawing.selection:
-            return "Drag to move, Delete to remove, X for construction; Shift-click adds"
+            return "Drag to move, Shift-click to add, Delete; type a length; right click shows more"
         return "Click or box to select; drag vertices, edges, circles and their grips to move them"
 
     @property
@@ -77,6 +77,7 @@ class SelectTool(Tool):
     def press(self, pointer: Pointer) -> None:
         """See `Tool`."""
         self._pressed_at, self._is_drag = pointer.point_px, False
+        self._is_second = pointer.is_second
         self._under = self._hit(pointer)
         self._was_chosen = self._under == self.drawing.selection
         self._grip = None if self._under.annotations else self._grip_at(pointer)
@@ -129,22 +130,37 @@ class SelectTool(Tool):
         self._lit = self._hit(pointer)
 
     def _said_there(self) -> Selection:
-        """What a second click means: what a vertex shows to be said of it; a size, to be typed."""
+        """What a second click means: what a vertex shows to be said of it; a size, to be typed.
+
+        On an edge or a circle only a double click, which nobody makes by mistake.
+        """
         graph = self.drawing.graph
         for vertex in self._under.vertices:
             said = next(seen_at_vertex(graph, vertex), None)
             if said is not None:
                 return Selection(annotations=frozenset((said,)))
-        self.enter()
+        if self._under.annotations or self._is_second:
+            self.enter()
         return self._under
 
     def enter(self) -> None:
-        """See `Tool`: asks for the size that is selected."""
-        for id_ in self.drawing.selection.annotations:
-            question = about_annotation(self.drawing.graph, id_)
-            if question is not None:
-                self.drawing.ask(question)
-                return
+        """See `Tool`: asks for the size of what is selected."""
+        question = self.size_meant()
+        if question is not None:
+            self.drawing.ask(question)
+
+    def size_meant(self) -> Question | None:
+        """See `Tool`: of what is selected."""
+        return about_selection(self.drawing.graph, self.drawing.selection)
+
+    def right(self, pointer: Pointer) -> bool:
+        """See `Tool`: has a menu, about what is pointed at or what is selected with it."""
+        if self._pressed_at is not None:
+            return False
+        under = self._hit(pointer)
+        if not under.touches(self.drawing.selection):
+            self.drawing.select(under)
+        return True
 
     def cancel(self) -> bool:
         """See `Tool`."""

@@ -63,14 +63,13 @@ class Block:
             return ENERGIES[self.energy](X, self.items)
         return ENERGIES[self.energy](X, self.items, self.wanted)
 
-    def squares(self, shapes: Array) -> Array:
-        """Sums of the squared residuals of several shapes (k, n, 3) at once, (k,)."""
+    def evaluate_all(self, shapes: Array) -> Linearised:
+        """The same of several shapes (k, n, 3) at once, as if they were one of k n vertices."""
         k, n, _ = shapes.shape
         apart = self.items + n * np.arange(k)[:, None, None]
         wanted = None if self.wanted is None else np.tile(self.wanted, (k, 1))
         all_of_them = replace(self, items=apart.reshape(-1, 4), wanted=wanted)
-        r = all_of_them.evaluate(shapes.reshape(-1, 3)).residual.reshape(k, -1)
-        return np.asarray(np.einsum("ki,ki->k", r, r))
+        return all_of_them.evaluate(shapes.reshape(-1, 3))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

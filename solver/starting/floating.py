@@ -14,7 +14,7 @@ float
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import math
 from functools import lru_cache
 
 import numpy as np
@@ -23,7 +23,7 @@ from ..effort import counting
 from ..problem import Problem
 from ..structure import Structure
 from ..topology import MAX_KEPT
-from ..values import Array, Stop
+from ..values import Array, BoolArray, Stop
 
 #: Beyond so many coordinates nothing is searched.
 MAX_SEARCHED = 300
@@ -37,6 +37,8 @@ GRID_REACH = 0.7
 N_GRID = 41
 SPREAD_REACH = 0.6
 N_SPREAD = 7
+#: Constraints times floats in one table, which bounds the memory.
+TABLE = 50_000
 #: Lifts that are carried on, and how much worse than the best they may meet the constraints.
 MAX_LIFTS = 3
 WORSE = 30.0
@@ -63,11 +65,11 @@ def lifts(problem: Problem, R: Array, g: Array, stop: Stop | None = None) -> lis
     structure = problem.structure
     count = n_floats(structure)
     search = _Search(problem, R, g, _floats(structure, g, count), stop)
-    found = sorted(search.descents(), key=lambda f: f[0])
+    cost, ends = search.descents()
     kept: list[Array] = []
-    for cost, t in found:
-        lift = search.at(t)
-        if cost > WORSE * found[0][0] + NEARLY_MET:
+    for k in np.argsort(cost, kind="stable"):
+        lift = search.at(ends[k])
+        if cost[k] > WORSE * cost.min() + NEARLY_MET:
             break
         if search.is_ahead(lift) and not any(same_lift(lift, other) for other in kept):
             kept.append(lift)
@@ -142,10 +144,10 @@ def _floats(structure: Structure, g: Array, count: int) -> Array:
 
 
 class _Search:
-    """Levenberg-Marquardt on the leftover constraints over the floats alone."""
+    """Levenberg-Marquardt on the leftover constraints over the floats alone, all starts at once."""
 
     def __init__(self, problem: Problem, R: Array, g: Array, N: Array, stop: Stop | None) -> None:
-        self.stop = counting(stop, N.shape[1])
+        self.stop = stop
         self.blocks = problem.blocks
         self.coordinate = problem.structure.coordinate
         self.forward = R[2]
@@ -153,74 +155,87 @@ class _Search:
         self.moves = N[self.coordinate]  # (n, 3, floats)
 
     def at(self, t: Array) -> Array:
-        return np.asarray(self.g + self.N @ t)
+        """The shared coordinates at one place or several, (..., floats)."""
+        return np.asarray(self.g + t @ self.N.T)
 
-    def is_ahead(self, g: Array) -> bool:
-        depth = g[self.coordinate] @ self.forward
-        return bool(depth.min() > MIN_DEPTH * np.abs(depth).mean())
+    def is_ahead(self, g: Array) -> BoolArray:
+        """Whether all is before the eye, of one lift or several, (..., m)."""
+        depth = g[..., self.coordinate] @ self.forward
+        return np.asarray(depth.min(axis=-1) > MIN_DEPTH * np.abs(depth).mean(axis=-1))
 
-    def beginnings(self) -> list[Array]:
+    def beginnings(self) -> Array:
         """Where to begin: the linear lift, and random depths; for one float, all its valleys."""
         count = self.N.shape[1]
         if count == 1:
-            line = np.linspace(-GRID_REACH, GRID_REACH, N_GRID)
-            costs = self.costs(line)
+            line = np.linspace(-GRID_REACH, GRID_REACH, N_GRID)[:, None]
+            h, _ = self.linearised(line)
+            costs = np.where(self.is_ahead(self.at(line)), np.einsum("kr,kr->k", h, h), np.inf)
             padded = np.array([np.inf, *costs, np.inf])
             valleys = (padded[1:-1] <= padded[:-2]) & (padded[1:-1] <= padded[2:])
-            return [np.array([t]) for t in line[valleys & np.isfinite(costs)]] or [np.zeros(1)]
+            found = line[valleys & np.isfinite(costs)]
+            return found if len(found) else np.zeros((1, 1))
         rng = np.random.default_rng(0)
         n_starts = min(MAX_SEARCHES, STARTS_PER_FLOAT * count)
-        return [np.zeros(count), *(SPREAD * rng.normal(size=(n_starts, count)))]
+        return np.vstack([np.zeros(count), SPREAD * rng.normal(size=(n_starts, count))])
 
-    def descents(self) -> Iterator[tuple[float, Array]]:
-        """Where the beginnings lead to, until it is enough; the first one always."""
-        for k, t in enumerate(self.beginnings()):
-            if k and self.stop():
-                return
-            yield self.descend(t)
+    def descents(self) -> tuple[Array, Array]:
+        """What the beginnings lead to, (k,), and where, (k, floats); infinite behind the eye."""
+        T = self.beginnings()
+        rows = sum(len(block.items) for block in self.blocks)
+        some = max(1, TABLE // (rows * T.shape[1]))
+        ends = [self.descend(T[k : k + some]) for k in range(0, len(T), some)]
+        T = np.vstack(ends)
+        h, _ = self.linearised(T)
+        cost = np.einsum("kr,kr->k", h, h)
+        return np.where(self.is_ahead(self.at(T)), cost, np.inf), T
 
-    def costs(self, line: Array) -> Array:
-        """Of one float at all places of a line; infinite where something is behind the eye."""
-        shapes = (self.g + np.outer(line, self.N[:, 0]))[:, self.coordinate]
-        depths = shapes @ self.forward
-        ahead = depths.min(axis=1) > MIN_DEPTH * np.abs(depths).mean(axis=1)
-        total = np.sum([block.squares(shapes) for block in self.blocks], axis=0)
-        return np.where(ahead, total, np.inf)
-
-    def linearised(self, t: Array) -> tuple[Array, Array]:
-        X = self.at(t)[self.coordinate]
+    def linearised(self, T: Array) -> tuple[Array, Array]:
+        """Residuals (k, r) at several places (k, floats), and their derivatives (k, r, floats)."""
+        count = T.shape[1]
+        shapes = self.at(T)[:, self.coordinate]
         residuals, jacobians = [], []
         for block in self.blocks:
-            at = block.evaluate(X)
-            H = np.zeros((len(at.residual), len(t)))
-            np.add.at(H, at.row, np.einsum("ti,tif->tf", at.value, self.moves[at.vertex]))
-            residuals.append(at.residual)
-            jacobians.append(H)
-        return np.concatenate(residuals), np.vstack(jacobians)
+            at = block.evaluate_all(shapes)
+            moves = self.moves[at.vertex % shapes.shape[1]]
+            values = np.einsum("ti,tif->tf", at.value, moves)
+            places = at.row[:, None] * count + np.arange(count)
+            H = np.bincount(places.ravel(), values.ravel(), len(at.residual) * count)
+            residuals.append(at.residual.reshape(len(T), -1))
+            jacobians.append(H.reshape(len(T), -1, count))
+        return np.hstack(residuals), np.hstack(jacobians)
 
-    def descend(self, t: Array) -> tuple[float, Array]:
-        """The cost reached and where; infinite where it leads behind the eye."""
-        if not self.is_ahead(self.at(t)):
-            t = 0.3 * t
-        h, H = self.linearised(t)
-        cost, damping = float(h @ h), 1e-2
+    def descend(self, T: Array) -> Array:
+        """Where several places (k, floats) lead to."""
+        stop = counting(self.stop, math.ceil(T.shape[1] * math.sqrt(len(T))))
+        ends = np.where(self.is_ahead(self.at(T))[:, None], T, 0.3 * T)
+        going = np.arange(len(ends))
+        T = ends.copy()
+        h, H = self.linearised(T)
+        cost, damping = np.einsum("kr,kr->k", h, h), np.full(len(T), 1e-2)
         for _ in range(MAX_ITERATIONS):
-            if self.stop():
+            if stop() or not len(going):
                 break
-            A = H.T @ H
-            A[np.diag_indices(len(A))] += damping * float(np.trace(A)) / len(A) + 1e-12
-            moved = t - np.linalg.solve(A, H.T @ h)
-            if self.is_ahead(self.at(moved)):
-                new_h, new_H = self.linearised(moved)
-                new_cost = float(new_h @ new_h)
-                if new_cost < cost:
-                    gain, cost = cost - new_cost, new_cost
-                    t, h, H = moved, new_h, new_H
-                    damping = max(damping / 10, 1e-9)
-                    if gain < 1e-3 * cost or cost < 1e-14:
-                        break
-                    continue
-            damping *= 10
-            if damping > 1e4:
-                break
-        return (cost if self.is_ahead(self.at(t)) else np.inf), t
+            moved = T - _steps(h, H, damping)
+            new_h, new_H = self.linearised(moved)
+            new_cost = np.einsum("kr,kr->k", new_h, new_h)
+            gains = self.is_ahead(self.at(moved)) & (new_cost < cost)
+            small = gains & ((cost - new_cost < 1e-3 * new_cost) | (new_cost < 1e-14))
+            damping = np.where(gains, np.maximum(damping / 10, 1e-9), 10 * damping)
+            T[gains], h[gains], H[gains] = moved[gains], new_h[gains], new_H[gains]
+            cost = np.where(gains, new_cost, cost)
+            ends[going] = T
+            on = ~small & (damping <= 1e4)
+            going, T, h, H = going[on], T[on], h[on], H[on]
+            cost, damping = cost[on], damping[on]
+        return ends
+
+
+def _steps(h: Array, H: Array, damping: Array) -> Array:
+    """Damped Gauss-Newton steps of several searches, (k, floats)."""
+    across = H.transpose(0, 2, 1)
+    A = across @ H
+    count = A.shape[1]
+    diagonal = np.arange(count)
+    trace = A[:, diagonal, diagonal].sum(axis=1)
+    A[:, diagonal, diagonal] += (damping * trace / count + 1e-12)[:, None]
+    return np.asarray(np.linalg.solve(A, across @ h[:, :, None])[:, :, 0])

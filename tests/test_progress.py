@@ -122,7 +122,7 @@ WORK = (
     (FullProblem, "evaluate"),
     (floating._Search, "linearised"),
     (suspects._Springs, "_energy"),
-    (wishes, "_gentlest_step"),
+    (wishes, "gentlest_step"),
     (clashes, "build_structure"),
 )
 MOST_WORK = 10

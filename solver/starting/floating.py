@@ -183,11 +183,13 @@ class _Search:
         T = self.beginnings()
         rows = sum(len(block.items) for block in self.blocks)
         some = max(1, TABLE // (rows * T.shape[1]))
-        ends = [self.descend(T[k : k + some]) for k in range(0, len(T), some)]
-        T = np.vstack(ends)
-        h, _ = self.linearised(T)
-        cost = np.einsum("kr,kr->k", h, h)
-        return np.where(self.is_ahead(self.at(T)), cost, np.inf), T
+        costs, ends = self.descend(T[:some])
+        for k in range(some, len(T), some):
+            if self.stop is not None and self.stop():
+                break
+            more = self.descend(T[k : k + some])
+            costs, ends = np.concatenate([costs, more[0]]), np.vstack([ends, more[1]])
+        return np.where(self.is_ahead(self.at(ends)), costs, np.inf), ends
 
     def linearised(self, T: Array) -> tuple[Array, Array]:
         """Residuals (k, r) at several places (k, floats), and their derivatives (k, r, floats)."""
@@ -204,14 +206,15 @@ class _Search:
             jacobians.append(H.reshape(len(T), -1, count))
         return np.hstack(residuals), np.hstack(jacobians)
 
-    def descend(self, T: Array) -> Array:
-        """Where several places (k, floats) lead to."""
+    def descend(self, T: Array) -> tuple[Array, Array]:
+        """What several places (k, floats) lead to, (k,), and where."""
         stop = counting(self.stop, math.ceil(T.shape[1] * math.sqrt(len(T))))
         ends = np.where(self.is_ahead(self.at(T))[:, None], T, 0.3 * T)
         going = np.arange(len(ends))
         T = ends.copy()
         h, H = self.linearised(T)
         cost, damping = np.einsum("kr,kr->k", h, h), np.full(len(T), 1e-2)
+        costs = cost.copy()
         for _ in range(MAX_ITERATIONS):
             if stop() or not len(going):
                 break
@@ -223,11 +226,11 @@ class _Search:
             damping = np.where(gains, np.maximum(damping / 10, 1e-9), 10 * damping)
             T[gains], h[gains], H[gains] = moved[gains], new_h[gains], new_H[gains]
             cost = np.where(gains, new_cost, cost)
-            ends[going] = T
+            ends[going], costs[going] = T, cost
             on = ~small & (damping <= 1e4)
             going, T, h, H = going[on], T[on], h[on], H[on]
             cost, damping = cost[on], damping[on]
-        return ends
+        return costs, ends
 
 
 def _steps(h: Array, H: Array, damping: Array) -> Array:

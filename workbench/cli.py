@@ -222,9 +222,10 @@ def _check(arguments: argparse.Namespace) -> int:
     if not any(severity == "error" for severity, _ in found):
         # What only a solve shows: lengths that disagree, freedoms that are left.
         solution = solve(graph)
+        message = message_with_wanting_faces(graph, solution)
         if solution.status is not Status.CONVERGED:
-            found.insert(0, ("error", solution.message))
-        elif (message := message_with_wanting_faces(graph, solution)) != PLAIN:
+            found.insert(0, ("error", message))
+        elif message != PLAIN:
             found.insert(0, ("warning", message))
         lens = lens_of_sketch(graph, arguments.sketch)
         notes = (*traced_lines(graph, solution).notes, *(() if lens is None else lens.notes))
@@ -318,10 +319,10 @@ def _verdict(graph: SketchGraph, solution: Solution) -> int:
     from ..solver.editing.nearly_flat import message_with_wanting_faces
     from ..solver.solution import Status
 
-    if solution.status is not Status.CONVERGED:
-        _complain(f"incontext: {solution.status.value}: {solution.message}")
-        return BAD_SOLVE
     message = message_with_wanting_faces(graph, solution)
+    if solution.status is not Status.CONVERGED:
+        _complain(f"incontext: {solution.status.value}: {message}")
+        return BAD_SOLVE
     if message != PLAIN:
         # Annotations that the drawing speaks against, a second shape, sizes that are unsure.
         _complain(f"warning: {message}")

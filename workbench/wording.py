@@ -39,6 +39,8 @@ SENTENCES = (
     "revolution.",
     "If {} and {} are square at {}, saying so would help most.",
     "{} cannot all hold: take one of them away.",
+    "{} cannot hold with what is said of the circles and the rest of the side: take one of these "
+    "away.",
     "{0} cannot hold: try removing {0}.",
     "{0} cannot hold together with {1}: try removing {0}.",
     "{} contradicts the rest: with it the drawing is missed by {} px, without it by {} px.",
@@ -72,8 +74,9 @@ SENTENCES = (
     "Too many copies ({} and so on): take some symmetry planes away.",
     "No faces were looked for: {}.",
     "No face was found for {}: choose another one.",
-    "No face is made of {}, {} mm off flat: mark what makes it flat, or take it for a face.",
-    "If {} is flat, taking it for a face would help.",
+    "Not flat enough for a face: {}, {} mm off: mark right angles or parallels there, or take it "
+    "for a face.",
+    "Where {} is flat, taking it for a face would help.",
     "Nothing is said to be square or parallel: begin with right angles at {}.",
     "{} freedom left: give the diameter of {}, or join circles of one axis to a surface of "
     "revolution.",

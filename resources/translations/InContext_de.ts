@@ -896,12 +896,16 @@
         <translation>Kein gerades Ding ist nachgezeichnet: Linien entlang gerader Dinge ziehen, nahe am Rand des Fotos, und zu Hilfsgeometrie machen (X).</translation>
     </message>
     <message>
-        <source>No face is made of {}, {} mm off flat: mark what makes it flat, or take it for a face.</source>
-        <translation>Aus {} wird keine Fläche, {} mm fehlen zur Ebene: markieren, was sie eben macht, oder sie als Fläche nehmen.</translation>
+        <source>{} cannot hold with what is said of the circles and the rest of the side: take one of these away.</source>
+        <translation>{} kann nicht zusammen mit dem gelten, was über die Kreise und den Rest der Seite gesagt ist: etwas davon wegnehmen.</translation>
     </message>
     <message>
-        <source>If {} is flat, taking it for a face would help.</source>
-        <translation>Wenn {} eben ist, hilft es, sie als Fläche zu nehmen.</translation>
+        <source>Not flat enough for a face: {}, {} mm off: mark right angles or parallels there, or take it for a face.</source>
+        <translation>Nicht eben genug für eine Fläche: {}, {} mm daneben: dort rechte Winkel oder Parallelen markieren, oder es als Fläche nehmen.</translation>
+    </message>
+    <message>
+        <source>Where {} is flat, taking it for a face would help.</source>
+        <translation>Wo {} eben ist, hilft es, es als Fläche zu nehmen.</translation>
     </message>
     <message>
         <source>No face was found for {}: choose another one.</source>

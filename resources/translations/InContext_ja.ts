@@ -896,11 +896,15 @@
         <translation>まっすぐな物がなぞられていません。写真の端に近いまっすぐな物に沿って線を引き、補助線（X）にしてください。</translation>
     </message>
     <message>
-        <source>No face is made of {}, {} mm off flat: mark what makes it flat, or take it for a face.</source>
-        <translation>{} は平面から {} mm ずれているため面になりません。平らになる注釈を付けるか、面として受け入れてください。</translation>
+        <source>{} cannot hold with what is said of the circles and the rest of the side: take one of these away.</source>
+        <translation>{} は、円や側面の残りについての注釈と両立しません。どれかを取り除いてください。</translation>
     </message>
     <message>
-        <source>If {} is flat, taking it for a face would help.</source>
+        <source>Not flat enough for a face: {}, {} mm off: mark right angles or parallels there, or take it for a face.</source>
+        <translation>面にするには平らさが足りません：{}（{} mm のずれ）。そこに直角か平行の注釈を付けるか、面として受け入れてください。</translation>
+    </message>
+    <message>
+        <source>Where {} is flat, taking it for a face would help.</source>
         <translation>{} が平らなら、面として受け入れると決まります。</translation>
     </message>
     <message>

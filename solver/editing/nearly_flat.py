@@ -100,13 +100,14 @@ def message_with_wanting_faces(graph: SketchGraph, solution: Solution) -> str:
     near = nearly_flat(graph, solution) if solution.status in (_GOOD, _OPEN) else ()
     if not near:
         return solution.message
+    if solution.status is _OPEN:
+        loop = " ".join(near[0].loop)
+        return f"{solution.message} Where {loop} is flat, taking it for a face would help."
     some = [" ".join(one.loop) for one in near[:MOST_TOLD]]
     loops = " and ".join(filter(None, (", ".join(some[:-1]), some[-1])))
-    if solution.status is _OPEN:
-        return f"{solution.message} If {loops} is flat, taking it for a face would help."
     return (
-        f"{solution.message} No face is made of {loops}, {near[-1].off_mm:.2g} mm off flat: mark "
-        "what makes it flat, or take it for a face."
+        f"{solution.message} Not flat enough for a face: {loops}, {near[-1].off_mm:.2g} mm off: "
+        "mark right angles or parallels there, or take it for a face."
     )
 
 

@@ -83,11 +83,11 @@ def _begun(graph: SketchGraph, solution: Solution) -> Drag:
     if pose is None:
         return idle
     prior = told_focal(problem)
-    hand = shown_hand(problem, prior, pose) if can_lean(problem) else None
+    full = FullProblem(problem, prior)
+    hand = shown_hand(full, prior, pose) if can_lean(problem) else None
     if hand is not None:
         return replace(idle, _structure=structure, _pose=pose, _prior=prior, _hand=hand)
     if problem.camera is None and prior is None:
-        full = FullProblem(problem, None)
         expected = USUAL if is_unsure_of_focal(full, pose) else None
         spare = spare_observations(full, pose)
         rated = tighter(usual_prior(full, pose, spare), expected)

@@ -70,6 +70,17 @@ class _Rows:
     columns: IntArray
 
 
+@dataclass(slots=True, eq=False)
+class _Last:
+    """What was worked out for the last pose, whatever the prior: it is asked for again."""
+
+    seen: tuple[Pose, Seen] | None = None
+    rows: tuple[Pose, Array] | None = None
+    supports: tuple[Pose, Support] | None = None
+    normal: tuple[Pose, Array, Array] | None = None
+    constraints: tuple[Pose, Array, Array] | None = None
+
+
 class FullProblem:
     """The Objective of the full step."""
 
@@ -81,24 +92,28 @@ class FullProblem:
         self.n_vertices = len(problem.points)
         self.up = problem.up_in_cam
         self.constrained = bool(problem.blocks) or len(problem.diameters) > 0
-        self._vertices = Vertices(problem)
+        self.vertices = Vertices(problem)
         self._axis_of = _axis_of(self.coordinate, self.m)
         self._has_circles = len(problem.circles) > 0
         self._none_idle = problem.structure.has_axes and problem.camera is None
         self._block_places: dict[int, IntArray] = {}
-        self._last: tuple[Pose, Seen] | None = None
-        self._last_supports: tuple[Pose, Support] | None = None
-        self._last_normal: tuple[Pose, Array, Array] | None = None
-        self._last_constraints: tuple[Pose, Array, Array] | None = None
+        self._last = _Last()
+        self._last_evaluation: tuple[Pose, Evaluation] | None = None
 
     def with_prior(self, prior: FocalPrior | None) -> FullProblem:
         """The same with another prior."""
         other = copy.copy(self)
         other.prior = prior
+        other._last_evaluation = None
         return other
 
     def evaluate(self, x: Pose) -> Evaluation:
         """The normal equations over (omega, kappa, g), and the constraints."""
+        if self._last_evaluation is None or self._last_evaluation[0] is not x:
+            self._last_evaluation = (x, self._evaluate(x))
+        return self._last_evaluation[1]
+
+    def _evaluate(self, x: Pose) -> Evaluation:
         A, b = (kept.copy() for kept in self._of_drawing(x))
         if self.prior is not None:
             slope, r = self._prior_slope(x, self.prior), self._prior_residual(x, self.prior)
@@ -121,20 +136,20 @@ class FullProblem:
 
     def _of_drawing(self, x: Pose) -> tuple[Array, Array]:
         """J^T J and J^T r of what is drawn; the last ones are kept, whatever the prior."""
-        if self._last_normal is None or self._last_normal[0] is not x:
-            A, b = self._vertices.normal_equations(self._rows_of_vertices(x))
+        if self._last.normal is None or self._last.normal[0] is not x:
+            A, b = self.vertices.normal_equations(self.rows_of_vertices(x))
             if self._has_circles:
                 rows, r = self._circles(x)
                 J = self._dense(rows)
                 A += J.T @ J
                 b += J.T @ r
-            self._last_normal = (x, A, b)
-        return self._last_normal[1:]
+            self._last.normal = (x, A, b)
+        return self._last.normal[1:]
 
     def jacobian(self, x: Pose) -> tuple[Array, Array]:
         """Residuals and their derivatives over (omega, kappa, g), where nothing is held."""
-        rows = self._rows_of_vertices(x)
-        residuals, parts = [rows[0]], [self._vertices.dense(rows)]
+        rows = self.rows_of_vertices(x)
+        residuals, parts = [rows[0]], [self.vertices.dense(rows)]
         if self.prior is not None:
             row = np.zeros((1, N_CAMERA + self.m))
             row[0, 3] = self._prior_slope(x, self.prior)
@@ -146,8 +161,12 @@ class FullProblem:
             parts.append(self._dense(of_circles))
         return np.concatenate(residuals), np.vstack(parts)
 
-    def _rows_of_vertices(self, x: Pose) -> Array:
-        return self._vertices.rows(self._seen(x), x.R, x.log_focal, self._middle(x))
+    def rows_of_vertices(self, x: Pose) -> Array:
+        """Of what is drawn of the vertices (`projection`); the last ones are kept."""
+        if self._last.rows is None or self._last.rows[0] is not x:
+            rows = self.vertices.rows(self._seen(x), x.R, x.log_focal, self._middle(x))
+            self._last.rows = (x, rows)
+        return self._last.rows[1]
 
     def _dense(self, rows: _Rows) -> Array:
         J = np.zeros((len(rows.values), N_CAMERA + self.m))
@@ -250,15 +269,15 @@ class FullProblem:
 
     def _seen(self, x: Pose) -> Seen:
         """The view of a pose; the last one is kept, for it is asked for again."""
-        if self._last is None or self._last[0] is not x:
-            self._last = (x, self._vertices.seen(x.R, x.log_focal, x.g))
-        return self._last[1]
+        if self._last.seen is None or self._last.seen[0] is not x:
+            self._last.seen = (x, self.vertices.seen(x.R, x.log_focal, x.g))
+        return self._last.seen[1]
 
     def _supports(self, x: Pose) -> Support:
         """The circles of a pose; the last ones are kept, for they are asked for again."""
-        if self._last_supports is None or self._last_supports[0] is not x:
-            self._last_supports = (x, self._supports_of(x))
-        return self._last_supports[1]
+        if self._last.supports is None or self._last.supports[0] is not x:
+            self._last.supports = (x, self._supports_of(x))
+        return self._last.supports[1]
 
     def _supports_of(self, x: Pose) -> Support:
         centres = self.positions(x)[self.n_vertices :] @ x.R.T
@@ -319,9 +338,9 @@ class FullProblem:
         """Leftover constraints h and their derivatives H over (omega, kappa, g)."""
         if not self.constrained:
             return np.zeros(0), np.zeros((0, N_CAMERA + self.m))
-        if self._last_constraints is None or self._last_constraints[0] is not x:
-            self._last_constraints = (x, *self._constraints(x))
-        return self._last_constraints[1:]
+        if self._last.constraints is None or self._last.constraints[0] is not x:
+            self._last.constraints = (x, *self._constraints(x))
+        return self._last.constraints[1:]
 
     def _constraints(self, x: Pose) -> tuple[Array, Array]:
         positions = self.positions(x)

@@ -30,7 +30,6 @@ from .graph import SketchGraph
 from .least_squares import EXACT_COST, minimise
 from .lifting import Lifted, told_focal
 from .problem import TRACED_SIGMA_PX, Problem, build_problem
-from .projection import N_CAMERA
 from .solution import Solution
 from .starting.focal_prior import USUAL, spare_observations
 from .starting.warm_start import pose_from
@@ -89,60 +88,63 @@ class LeaningProblem(FullProblem):
         super().__init__(problem, prior)
         self.hand = hand
         self._precision = np.diag((hand.noise / (hand.scale * _lean_sigmas())) ** 2)
-        self._imagined = (problem.weights <= 1.0).astype(float)
 
     def weighed_as(self, problem: Problem) -> LeaningProblem:
         """The same with the weights of another problem."""
         return LeaningProblem(problem, self.prior, self.hand)
 
-    def by_lean(self, x: Pose, rows: Array) -> Array:
-        """Derivatives of r by the nine numbers of E, (9, 2 n), from `FullProblem`'s rows."""
-        c = x.g[self.coordinate[: self.n_vertices]]
-        middle = (self._imagined @ c) / max(1.0, float(self._imagined.sum()))
-        off = ((c - middle) * self._imagined[:, None]).T
-        slopes = rows[5:, None, :].reshape(3, 1, 2, -1) * off[None, :, None, :]
-        return np.asarray(slopes.reshape(9, -1))
-
     def misfit(self, x: Pose) -> float:
         """The marginal misfit."""
-        rows = self._rows_of_vertices(x)
-        D, r = self.by_lean(x, rows), rows[0]
+        D, r = by_lean(self, x), self.rows_of_vertices(x)[0]
         felt = D @ r
         return float(r @ r - felt @ np.linalg.solve(self._precision + D @ D.T, felt))
 
     def _of_drawing(self, x: Pose) -> tuple[Array, Array]:
-        if self._last_normal is None or self._last_normal[0] is not x:
-            rows = self._rows_of_vertices(x)
-            A, b = self._vertices.normal_equations(rows)
-            D = self.by_lean(x, rows)
-            both = D @ np.column_stack([self._vertices.dense(rows), rows[0]])
+        if self._last.normal is None or self._last.normal[0] is not x:
+            rows = self.rows_of_vertices(x)
+            A, b = self.vertices.normal_equations(rows)
+            D = by_lean(self, x)
+            both = D @ np.column_stack([self.vertices.dense(rows), rows[0]])
             shared = both[:, :-1].T @ np.linalg.solve(self._precision + D @ D.T, both)
-            self._last_normal = (x, A - shared[:, :-1], b - shared[:, -1])
-        return self._last_normal[1:]
+            self._last.normal = (x, A - shared[:, :-1], b - shared[:, -1])
+        return self._last.normal[1:]
 
-    def evidence(self, plain: FullProblem, x: Pose) -> _Evidence:
-        """What the drawing shows of a lean, all else free to follow it, to first order about x."""
-        rows = self._rows_of_vertices(x)
-        D, r = self.by_lean(x, rows), rows[0]
-        at = plain.evaluate(x)
-        B = D @ self._vertices.dense(rows)
-        if self.up is not None:
-            B[:, :3] = B[:, :3] @ np.outer(self.up, self.up)
-        if self.problem.camera is not None:
-            B[:, 3] = 0.0
-        N = tangent(at.H) if len(at.h) else np.eye(N_CAMERA + self.m)
-        A, B, b = N.T @ at.A @ N, B @ N, N.T @ at.b
-        A[np.diag_indices(len(A))] += 1e-12 * float(A.trace())
-        taken = np.linalg.solve(A, np.column_stack([B.T, b]))
-        sigmas = _lean_sigmas()
-        S = (D @ D.T - B @ taken[:, :-1]) * np.outer(sigmas, sigmas)
-        felt = (D @ r - B @ taken[:, -1]) * sigmas
-        values, vectors = np.linalg.eigh(S)
-        kept = values > UNFELT * max(float(values[-1]), 1e-300)
-        squares = (felt @ vectors[:, kept]) ** 2 / values[kept]
-        rest = float(r @ r - b @ taken[:, -1] - squares.sum())
-        spare = max(spare_observations(plain, x) + (plain.prior is not None), len(squares))
-        return _Evidence(values[kept], squares, max(rest, 1e-30), spare - len(squares))
+
+def by_lean(full: FullProblem, x: Pose) -> Array:
+    """Derivatives of r by the nine numbers of E, (9, 2 n)."""
+    rows, imagined = full.rows_of_vertices(x), (full.problem.weights <= 1.0).astype(float)
+    c = x.g[full.coordinate[: full.n_vertices]]
+    middle = (imagined @ c) / max(1.0, float(imagined.sum()))
+    off = ((c - middle) * imagined[:, None]).T
+    slopes = rows[5:, None, :].reshape(3, 1, 2, -1) * off[None, :, None, :]
+    return np.asarray(slopes.reshape(9, -1))
+
+
+def _evidence(plain: FullProblem, x: Pose) -> _Evidence:
+    """What the drawing shows of a lean, all else free to follow it, to first order about x."""
+    rows = plain.rows_of_vertices(x)
+    D, r = by_lean(plain, x), rows[0]
+    at = plain.evaluate(x)
+    B = D @ plain.vertices.dense(rows)
+    if plain.up is not None:
+        B[:, :3] = B[:, :3] @ np.outer(plain.up, plain.up)
+    if plain.problem.camera is not None:
+        B[:, 3] = 0.0
+    A, b = at.A.copy(), at.b
+    if len(at.h):
+        N = tangent(at.H)
+        A, B, b = N.T @ A @ N, B @ N, N.T @ b
+    A[np.diag_indices(len(A))] += 1e-12 * float(A.trace())
+    taken = np.linalg.solve(A, np.column_stack([B.T, b]))
+    sigmas = _lean_sigmas()
+    S = (D @ D.T - B @ taken[:, :-1]) * np.outer(sigmas, sigmas)
+    felt = (D @ r - B @ taken[:, -1]) * sigmas
+    values, vectors = np.linalg.eigh(S)
+    kept = values > UNFELT * max(float(values[-1]), 1e-300)
+    squares = (felt @ vectors[:, kept]) ** 2 / values[kept]
+    rest = float(r @ r - b @ taken[:, -1] - squares.sum())
+    spare = max(spare_observations(plain, x) + (plain.prior is not None), len(squares))
+    return _Evidence(values[kept], squares, max(rest, 1e-30), spare - len(squares))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -192,7 +194,7 @@ def as_leaning(graph: SketchGraph, lifted: Lifted, stop: Stop) -> Lifted | None:
         full = leaning_problem(lifted.problem, told, _usual_hand(lifted.problem))
         begun = minimise(full, x, max_iterations=MAX_ITERATIONS, enough=1e-3, near=True, stop=stop)
         x, iterations = begun.x, iterations + begun.iterations
-    hand = shown_hand(lifted.problem, told, x)
+    hand = shown_hand(lifted.full, told, x)
     if hand is None:
         return None
     found = _leaned(graph, leaning_problem(lifted.problem, told, hand), x, stop)
@@ -215,7 +217,7 @@ def as_leaning_near(
     if x is None:
         return None
     told = told_focal(problem)
-    hand = shown_hand(problem, told, x)
+    hand = shown_hand(FullProblem(problem, told), told, x)
     if hand is None:
         return None
     found = _leaned(graph, leaning_problem(problem, told, hand), x, stop)
@@ -234,22 +236,23 @@ def can_lean(problem: Problem) -> bool:
     return problem.structure.has_axes and not len(problem.circles) and len(problem.points) > 0
 
 
-def shown_hand(problem: Problem, told: FocalPrior | None, x: Pose) -> LeaningHand | None:
+def shown_hand(full: FullProblem, told: FocalPrior | None, x: Pose) -> LeaningHand | None:
     """How a drawing that leans was drawn; None where it shows no lean.
 
     Parameters
     ----------
-    problem : Problem
+    full : FullProblem
+        Without a lean.
     told : FocalPrior or None
         What the photo's file says.
     x : Pose
         Near the minimum with or without a lean.
     """
-    problem = _as_drawn(problem)
+    problem = _as_drawn(full.problem)
+    alike = problem is full.problem
+    plain = full.with_prior(told) if alike else FullProblem(problem, told)
     noises = NOISES * drawn_diagonal(problem) / math.sqrt(2)
-    plain = FullProblem(problem, told)
-    probe = LeaningProblem(problem, told, LeaningHand(1.0))
-    odds, hand = probe.evidence(plain, x).log_odds(noises)
+    odds, hand = _evidence(plain, x).log_odds(noises)
     return hand if odds >= PLAIN_ODDS else None
 
 

@@ -9,7 +9,7 @@ import pytest
 from scenes import FAMILIES, Hand, Views, photograph
 
 from incontext.solver import begin_drag, drag, solve
-from incontext.solver.leaning import LeaningHand, LeaningProblem, as_leaning
+from incontext.solver.leaning import LeaningHand, LeaningProblem, as_leaning, by_lean
 from incontext.solver.lifting import lift
 from incontext.solver.problem import build_problem
 from incontext.solver.structure import build_structure
@@ -70,8 +70,7 @@ def test_the_marginal_misfit_is_that_with_the_best_lean():
     graph = drawing("L", 0, LEANING).graph
     problem, x = build_problem(graph, build_structure(graph)), lifted(graph).minimum.x
     full = LeaningProblem(problem, None, LeaningHand(0.002))
-    rows = full._rows_of_vertices(x)
-    D, r = full.by_lean(x, rows), rows[0]
+    D, r = by_lean(full, x), full.rows_of_vertices(x)[0]
     P = np.diag(full._precision)
     stacked = np.vstack([D.T, np.diag(np.sqrt(P))])
     wanted = np.append(r, np.zeros(9))
@@ -83,7 +82,7 @@ def test_a_lean_moves_the_vertices_as_it_says():
     graph = drawing("box", 0, LEANING).graph
     problem, x = build_problem(graph, build_structure(graph)), lifted(graph).minimum.x
     full = LeaningProblem(problem, None, LeaningHand(0.002))
-    D = full.by_lean(x, full._rows_of_vertices(x))
+    D = by_lean(full, x)
     c = full.positions(x)
     E = 1e-6 * np.random.default_rng(0).normal(size=(3, 3))
     leaned = c + (c - c.mean(axis=0)) @ E.T
@@ -97,7 +96,7 @@ def test_what_is_traced_does_not_lean():
     weights = problem.weights.copy()
     weights[:4] = 7.0
     full = LeaningProblem(replace(problem, weights=weights), None, LeaningHand(0.002))
-    D = full.by_lean(x, full._rows_of_vertices(x)).reshape(9, 2, -1)
+    D = by_lean(full, x).reshape(9, 2, -1)
     assert not D[..., :4].any()
     assert D[..., 4:].any()
 

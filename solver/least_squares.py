@@ -38,6 +38,8 @@ NEARLY_HELD, HELD = 1e-2, 1e-9
 #: A gain this small against the cost moves the shape by far less than a person can draw.
 ENOUGH = 1e-11
 FIRST_DAMPING = 1e-8
+#: Of a step that are tried.
+PARTS = (1.0, 0.5)
 #: Up to so many unknowns dense algebra is faster.
 MAX_DENSE = 150
 #: Nothing is left to gain below this: every point is met to 1e-13.
@@ -185,6 +187,11 @@ class _Phase:
     damping: float = FIRST_DAMPING
     gained: float = 0.0
 
+    @property
+    def judged_by(self) -> float:
+        """The weight of the constraints when steps are judged."""
+        return 0.0 if self.last else self.rho
+
 
 def _descend(
     objective: Objective[X],
@@ -195,27 +202,23 @@ def _descend(
 ) -> Minimum[X]:
     """Levenberg-Marquardt at one penalty weight."""
     mu, before = phase.damping, phase.gained
-    rho = 0.0 if phase.last else phase.rho
     if phase.last:
         x = objective.restore(x)
     at = None
-    cost = objective.merit(x, rho)
+    cost = objective.merit(x, phase.judged_by)
     for iteration in range(phase.budget):
         if stop is not None and stop():
             return Minimum(x, iteration, False, cost, mu, before)
         at = at or objective.evaluate(x)
         step = _step(at, phase.rho, mu)
         size = np.inf if step is None else float(np.abs(step).max(initial=0.0))
-        moved = None if step is None else objective.retract(x, step)
-        if moved is not None and phase.last:
-            moved = objective.restore(moved)
-        new_cost = np.inf if moved is None else objective.merit(moved, rho)
-        if moved is not None and new_cost <= cost * (1 + 1e-14) + 1e-32:
-            gain = cost - new_cost
-            x, cost, at = moved, new_cost, None
+        moved = None if step is None else _moved(objective, x, step, phase, cost)
+        if moved is not None:
+            x, gain, part = moved.x, cost - moved.cost, moved.part
+            cost, at = moved.cost, None
             if been is not None and been(x):
                 return Minimum(x, iteration + 1, False, np.inf)
-            mu = max(mu / 10, 1e-12)
+            mu = max(mu / 10, 1e-12) if part == 1.0 else mu
             # Near a minimum gains fall by the same factor, or faster.
             will_gain, before = gain * min(1.0, gain / max(before, 1e-300)), gain
             if size < 1e-12 or will_gain <= phase.enough * cost:
@@ -227,6 +230,34 @@ def _descend(
             if mu > 1e8:
                 return Minimum(x, iteration + 1, False, cost, mu, before)
     return Minimum(x, phase.budget, False, cost, mu, before)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Moved(Generic[X]):
+    """Where a part of a step leads to, and the cost there."""
+
+    x: X
+    cost: float
+    part: float
+
+
+def _moved(
+    objective: Objective[X], x: X, step: Array, phase: _Phase, cost: float
+) -> _Moved[X] | None:
+    """Where the step, or else half of it, costs no more.
+
+    Halving is cheaper than another damping, which has to grow from almost nothing.
+    """
+    for part in PARTS:
+        moved = objective.retract(x, part * step)
+        if moved is not None and phase.last:
+            moved = objective.restore(moved)
+        if moved is None:
+            continue
+        new_cost = objective.merit(moved, phase.judged_by)
+        if new_cost <= cost * (1 + 1e-14) + 1e-32:
+            return _Moved(moved, new_cost, part)
+    return None
 
 
 def _step(at: Evaluation, rho: float, mu: float) -> Array | None:

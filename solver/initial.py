@@ -12,6 +12,7 @@ Necker twin
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -34,8 +35,9 @@ GOOD_MISFIT = 0.02
 FAIR_MISFIT = 0.04
 #: From so many lines on it pays to weigh each by how well its ends can be drawn.
 MANY_LINES = 30
-#: Iterations on the lines alone; the full step goes on from there.
-REFINEMENTS = 12
+#: Iterations on the lines alone; the full step goes on from there. So few are enough to weigh each
+#: of many lines by.
+REFINEMENTS, FEW_REFINEMENTS = 12, 2
 #: A gain of so little, in parts of the misfit, is none: the full step goes on from here.
 SETTLED = 1e-5
 #: Lines meet a camera exactly within this angle (rad, RMS).
@@ -142,7 +144,8 @@ def _from_lines(problem: Problem, lines: _Lines) -> list[Start]:
     if told is not None and told.misfit <= fair and len(drawn) > MANY_LINES:
         found = [told]
     else:
-        found = _refine_all(pencils, candidates, fixed)
+        few = FEW_REFINEMENTS if len(drawn) > MANY_LINES else REFINEMENTS
+        found = _refine_all(pencils, candidates, fixed, few)
         if not found or found[0].misfit > good:
             candidates += _grid(pencils, fixed)
             found = _refine_all(pencils, candidates, fixed)
@@ -170,13 +173,16 @@ def _views_at(pencils: Pencils, log_focals: tuple[float, ...]) -> list[list[Star
 
 
 def _refine_all(
-    pencils: Pencils, candidates: list[tuple[Array, float]], fixed: float | None
+    pencils: Pencils,
+    candidates: list[tuple[Array, float]],
+    fixed: float | None,
+    iterations: int = REFINEMENTS,
 ) -> list[Start]:
     if not candidates:
         return []
     if fixed is not None:
         candidates = [(R, fixed) for R, _ in candidates]
-    return _distinct(_refine(pencils, candidates, fixed is not None))
+    return _distinct(_refine(pencils, candidates, fixed is not None, iterations))
 
 
 def _distinct(found: list[Start]) -> list[Start]:
@@ -196,6 +202,7 @@ def _refine(
     pencils: Pencils,
     candidates: list[tuple[Array, float]],
     focal_known: bool,
+    iterations: int = REFINEMENTS,
 ) -> list[Start]:
     """Levenberg-Marquardt on r_e = w_e N_e . D_e for all cameras at once."""
     R = np.array([view for view, _ in candidates])
@@ -205,7 +212,7 @@ def _refine(
     damping = np.full(len(R), 1e-3)
     r, J = drawn.linearised(R, log_focals)
     cost = np.einsum("km,km->k", r, r)
-    for iteration in range(REFINEMENTS):
+    for iteration in range(iterations):
         if focal_known:
             J[..., 3] = 0.0
         turned = np.swapaxes(J, 1, 2)
@@ -248,14 +255,16 @@ def _from_mean_directions(problem: Problem) -> list[tuple[Array, float]]:
     """Three axes, as if seen from far: t1^2 = -c12 c13 / c23, two signs, the Necker twins."""
     axis = problem.structure.edge_axis
     delta = problem.points[problem.ends[:, 1]] - problem.points[problem.ends[:, 0]]
+    length = np.hypot(delta[:, 0], delta[:, 1])
     means = []
     for k in range(3):
-        d = delta[axis == k]
-        if len(d) == 0:
+        own = np.flatnonzero(axis == k)
+        if not len(own):
             return []
-        d = d * np.sign(d @ d[int(np.argmax(np.linalg.norm(d, axis=1)))])[:, None]
-        means.append(d.sum(axis=0))
-    d1, d2, d3 = (m / max(float(np.linalg.norm(m)), 1e-300) for m in means)
+        d = delta[own]
+        # Turned to the side of the longest one.
+        means.append(np.sign(d @ d[int(length[own].argmax())]) @ d)
+    d1, d2, d3 = (m / max(math.hypot(*m.tolist()), 1e-300) for m in means)
     # Signs that make as many of the three products negative as can be.
     if d1 @ d2 > 0:
         d2 = -d2

@@ -72,8 +72,8 @@ class _Plan:
         Of each annotation.
     ends : (m, 2) int array
     corner_places : (k,) int array
-    corners : (k, 3) int array
-        Vertex of each right angle and the other ends of its edges.
+    corners : (k, 2) int array
+        The edges of each right angle.
     parallels, equals : groups of edges
     ground : groups of vertices
     length_places, length_edges, lengths_mm : (k,) arrays
@@ -97,10 +97,10 @@ class _Plan:
     def measure(self, X: Array) -> Array:
         """Residuals of all but the others, (n,)."""
         values = np.full(len(self.units), np.nan)
-        at, p, q = (X[self.corners[:, k]] for k in range(3))
-        values[self.corner_places] = np.abs(_angles_deg(p - at, q - at) - 90.0)
         along = X[self.ends[:, 1]] - X[self.ends[:, 0]]
-        lengths = np.sqrt(np.einsum("ei,ei->e", along, along))
+        squares = np.einsum("ei,ei->e", along, along)
+        lengths = np.sqrt(squares)
+        values[self.corner_places] = _unsquare_deg(along, squares, self.corners)
         values[self.length_places] = np.abs(lengths[self.length_edges] - self.lengths_mm)
         if len(self.parallels.places):
             values[self.parallels.places] = _unparallel_deg(along, self.parallels)
@@ -125,16 +125,13 @@ def _plan(topology: Topology) -> _Plan:
     for kind, at in topology.places.items():
         for place in at:
             units[place] = ANNOTATIONS[kind].unit
-    # The sum of an edge's ends less the one is the other.
-    corners = topology.right_angles[:, :1]
-    far = ends.sum(axis=1)[topology.right_angles[:, 1:]] - corners
     lengths = [a for _, a in said["length"]]
     return _Plan(
         ids=topology.annotations,
         units=tuple(units),
         ends=ends,
         corner_places=topology.right_angle_places,
-        corners=np.hstack([corners, far]),
+        corners=topology.right_angles[:, 1:],
         parallels=_Groups.of(edges, [(k, a.edges) for k, a in said["parallel"]]),
         equals=_Groups.of(edges, [(k, a.edges) for k, a in said["equal_length"]]),
         ground=_Groups.of(vertices, [(k, a.vertices) for k, a in said["ground"]]),
@@ -144,6 +141,15 @@ def _plan(topology: Topology) -> _Plan:
         on_faces=tuple(said["on_face"]),
         others=(*said["diameter"], *said["symmetry_plane"]),
     )
+
+
+def _unsquare_deg(along: Array, squares: Array, pairs: IntArray) -> Array:
+    """How far the angles between pairs of edges are from right ones, |atan2(u.v, |u x v|)|."""
+    i, j = pairs.T
+    dot = np.einsum("ki,ki->k", along[i], along[j])
+    # Exact where it matters: the difference loses digits for edges that are nearly parallel only.
+    crossed = np.sqrt(np.maximum(squares[i] * squares[j] - dot * dot, 0.0))
+    return np.asarray(np.degrees(np.arctan2(np.abs(dot), crossed)))
 
 
 def _unparallel_deg(along: Array, groups: _Groups) -> Array:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -113,30 +114,44 @@ def _spread_on_constraints(full: FullProblem, x: Pose, A: Array, N: Array) -> tu
 
 
 def _relative_spread(full: FullProblem, x: Pose, inverse: Array) -> Array:
-    """The same by the inverse of A, each edge speaking of six coordinates only."""
-    columns, slopes = _slopes(full, x)
-    mean = np.bincount(columns.ravel(), slopes.ravel(), len(inverse)) / len(columns)
+    """The same by the inverse of A, each edge speaking of two to six coordinates only."""
+    m = len(full.problem.ends)
+    own, shared, mean = np.empty(m), np.empty(m), np.zeros(len(inverse))
+    groups = list(_slopes(full, x))
+    for _, columns, slopes in groups:
+        mean += np.bincount(columns.ravel(), slopes.ravel(), len(inverse)) / m
     towards = inverse @ mean
-    own = np.einsum("ei,eij,ej->e", slopes, inverse[columns[:, :, None], columns[:, None]], slopes)
-    shared = np.einsum("ei,ei->e", slopes, towards[columns])
+    for edges, columns, slopes in groups:
+        places = (len(inverse) * columns)[:, :, None] + columns[:, None]
+        own[edges] = np.einsum("ei,eij,ej->e", slopes, inverse.ravel().take(places), slopes)
+        shared[edges] = np.einsum("ei,ei->e", slopes, towards[columns])
     return np.asarray(np.maximum(own - 2 * shared + float(mean @ towards), 0.0))
 
 
-def _slopes(full: FullProblem, x: Pose) -> tuple[IntArray, Array]:
-    """Derivatives of the edges' log lengths by the coordinates of both ends, (m, 6)."""
-    ends, coordinate = full.problem.ends, full.coordinate
-    columns = N_CAMERA + np.hstack([coordinate[ends[:, 1]], coordinate[ends[:, 0]]])
-    u = x.g[columns[:, :3] - N_CAMERA] - x.g[columns[:, 3:] - N_CAMERA]
-    u = u / np.maximum(np.einsum("ei,ei->e", u, u), 1e-300)[:, None]
-    return columns, np.hstack([u, -u])
+def _slopes(full: FullProblem, x: Pose) -> Iterator[tuple[IntArray, IntArray, Array]]:
+    """Edges, and the derivatives of their log lengths by coordinates of both ends: columns, slopes.
+
+    An edge along an axis speaks of one coordinate of each end, the others of all three.
+    """
+    structure, ends = full.problem.structure, full.problem.ends
+    along = structure.edge_axis >= 0
+    edges, others = np.flatnonzero(along), np.flatnonzero(~along)
+    for chosen, axes in ((edges, structure.edge_axis[edges][:, None]), (others, np.arange(3))):
+        if not len(chosen):
+            continue
+        to, of = (full.coordinate[ends[chosen, k][:, None], axes] for k in (1, 0))
+        u = x.g[to] - x.g[of]
+        u = u / np.maximum(np.einsum("ei,ei->e", u, u), 1e-300)[:, None]
+        yield chosen, N_CAMERA + np.hstack([to, of]), np.hstack([u, -u])
 
 
 def _by_log_length(full: FullProblem, x: Pose) -> Array:
     """Derivatives of the logarithms of the edges' lengths by (omega, kappa, g), (m, 4 + g)."""
-    columns, slopes = _slopes(full, x)
     M = N_CAMERA + full.m
-    places = np.arange(len(columns))[:, None] * M + columns
-    D = np.bincount(places.ravel(), slopes.ravel(), len(columns) * M)
+    D = np.zeros(len(full.problem.ends) * M)
+    for edges, columns, slopes in _slopes(full, x):
+        places = edges[:, None] * M + columns
+        D += np.bincount(places.ravel(), slopes.ravel(), len(D))
     return np.asarray(D.reshape(-1, M))
 
 

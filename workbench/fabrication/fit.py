@@ -37,6 +37,8 @@ from .things import FLAT_MM, Thing
 TOUCH_MM = 0.05
 #: No floor is thicker; what reaches higher into a thing is not what it stands on, mm.
 LIFT_MM = 25.0
+#: No floor is thinner.
+FLOOR_STEP_MM = 0.4
 #: Further than this nobody is in the way, mm.
 FAR_MM = 1000.0
 _STEP_MM = 0.02
@@ -172,17 +174,18 @@ def _lift(overlaps: Iterable[Overlap], thing: Thing) -> float:
     if thing.kind not in ("block", "cylinder"):
         return 0.0
     ground = float(thing.points_mm[:, 2].min())
-    foot = sum(body.project().area() for body in thing.bodies[:1])
+    foot = sum(body.slice(ground + TOUCH_MM).area() for body in thing.bodies)
     return max([0.0, *(_floor(overlap.body, ground, foot / 2) for overlap in overlaps)])
 
 
 def _floor(shared: manifold3d.Manifold, ground: float, least_mm2: float) -> float:
     """Up to where, above the ground, an overlap is as large as a floor; 0 where it is none."""
-    low, high = TOUCH_MM / 2, LIFT_MM
-    if shared.slice(ground + low).area() < least_mm2:
+    # A turned thing's underside need not be quite on the ground.
+    heights = np.arange(TOUCH_MM / 2, LIFT_MM, FLOOR_STEP_MM).tolist()
+    solid = [z for z in heights if shared.slice(ground + z).area() >= least_mm2]
+    if not solid or shared.slice(ground + LIFT_MM).area() >= least_mm2:
         return 0.0
-    if shared.slice(ground + high).area() >= least_mm2:
-        return 0.0
+    low, high = solid[-1], solid[-1] + FLOOR_STEP_MM
     while high - low > 1e-4:
         middle = (low + high) / 2
         if shared.slice(ground + middle).area() < least_mm2:
@@ -262,12 +265,14 @@ def _width(points: Array) -> float:
 def _room(every: manifold3d.Manifold, thing: Thing, way: Array) -> float | None:
     """How far a thing can move along a way; None where nothing stops it."""
     slim = [_slimmer(body) for body in thing.bodies]
-    if not _hit(every, slim, way * FAR_MM):
+    # What it touches all around it shares a trace with, and is free to leave.
+    least = 1e-6 + 1.01 * _swept(every, slim, 0 * way)
+    if _swept(every, slim, way * FAR_MM) <= least:
         return None
     free, hit = 0.0, FAR_MM
     while hit - free > _STEP_MM:
         middle = (free + hit) / 2
-        if _hit(every, slim, way * middle):
+        if _swept(every, slim, way * middle) > least:
             hit = middle
         else:
             free = middle
@@ -282,7 +287,7 @@ def _slimmer(body: manifold3d.Manifold) -> Array:
     return np.asarray(middle + (points - middle) * (1 - TOUCH_MM / 2 / half))
 
 
-def _hit(every: manifold3d.Manifold, slim: Iterable[Array], move: Array) -> bool:
-    """Whether the hull of something, swept along a move, runs into the object."""
-    swept = (manifold3d.Manifold.hull_points(np.vstack([p, p + move])) for p in slim)
-    return any((every ^ body).volume() > 1e-6 for body in swept)
+def _swept(every: manifold3d.Manifold, slim: Iterable[Array], move: Array) -> float:
+    """How much of the object the hulls of something run into, swept along a move, mm3."""
+    hulls = (manifold3d.Manifold.hull_points(np.vstack([p, p + move])) for p in slim)
+    return float(sum((every ^ hull).volume() for hull in hulls))

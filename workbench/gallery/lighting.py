@@ -28,6 +28,8 @@ _MAP = 300
 _KEY_SPREAD = 0.13
 _KEY_SHARE, _SKY_SHARE = 0.60, 0.50
 _GROUND_DARK = 0.7
+#: Points are looked up so many of the map's pixels before their surface.
+_BEFORE_PX = 1.5
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -39,9 +41,14 @@ class _Seen:
 
 
 def lit(
-    scene: Scene, view: View, background: Image.Image, light_in_cam: tuple[float, float, float]
+    scene: Scene,
+    view: View,
+    background: Image.Image,
+    light_in_cam: tuple[float, float, float],
+    *,
+    shadow: float = 3.0,
 ) -> Image.Image:
-    """The scene over a background, with its shadow on the ground.
+    """The scene over a background, with its shadow on what it stands on.
 
     Parameters
     ----------
@@ -52,6 +59,8 @@ def lit(
         A photo, or a plain page.
     light_in_cam : (x, y, z)
         Where the strong light comes from: right, down and forward, as seen from the camera.
+    shadow : float
+        How far from the scene's middle there is ground for its shadow, in parts of its size.
 
     Returns
     -------
@@ -63,7 +72,7 @@ def lit(
     seen = _look(scene, fine, size)
     lamps = [(way, share, _LampMap(scene, way)) for way, share in _lamps(view, light_in_cam)]
     page = np.asarray(background.resize(size, Image.Resampling.BICUBIC), dtype=float).copy()
-    page *= _ground(scene, fine, size, lamps)[..., None]
+    page *= _ground(scene, fine, size, lamps, shadow)[..., None]
     covered = seen.triangles >= 0
     page[covered] = _shaded(scene, seen, lamps)[covered]
     edges = outlines(np.where(covered, scene.faces[seen.triangles], 0))
@@ -146,8 +155,14 @@ class _LampMap:
         self._slack = 0.004 * reach
         self._nearest, _ = _depth_map(flat.reshape(-1, 3, 2), nearness.reshape(-1, 3), self._size)
 
-    def lights(self, points_mm: Array) -> Array:
-        """1 where points (n, 3) are lit, 0 where something is in between."""
+    def lights(self, points_mm: Array, normals: Array | None = None) -> Array:
+        """1 where points (n, 3) are lit, 0 where something is in between.
+
+        With normals, points of a surface: a little before it, so that it throws no shadow on
+        itself where the map is too coarse for its slope.
+        """
+        if normals is not None:
+            points_mm = points_mm + normals * (_BEFORE_PX / self._scale)
         placed = points_mm @ self._axes.T - self._low
         at = np.floor(placed[:, :2] * self._scale).astype(int)
         inside = ((at >= 0) & (at < self._size)).all(axis=1)
@@ -166,11 +181,12 @@ def _shaded(scene: Scene, seen: _Seen, lamps: Lamps) -> Array:
     covered = seen.triangles >= 0
     points = seen.points_mm[covered]
     numbers = seen.triangles[covered]
-    normals = triangle_normals(scene.triangles_mm)[numbers]
+    flat = triangle_normals(scene.triangles_mm)[numbers]
+    normals = _smooth_normals(scene, numbers, points)
     light = np.zeros(len(points))
     for way, share, lamp in lamps:
         facing = normals @ way
-        light += share * np.clip(facing, 0, None) ** 0.8 * lamp.lights(points)
+        light += share * np.clip(facing, 0, None) ** 0.8 * lamp.lights(points, flat)
     # What is thrown back by the ground and the room.
     light += 0.34 + 0.06 * np.clip(-normals[:, 2], 0, None)
     page = np.zeros((*covered.shape, 3))
@@ -178,7 +194,29 @@ def _shaded(scene: Scene, seen: _Seen, lamps: Lamps) -> Array:
     return page
 
 
-def _ground(scene: Scene, view: View, size: tuple[int, int], lamps: Lamps) -> Array:
+def _smooth_normals(scene: Scene, numbers: NDArray[np.int32], points_mm: Array) -> Array:
+    """The normals at points of triangles, as of the curved face that these stand for, (n, 3)."""
+    corners = np.round(scene.triangles_mm.reshape(-1, 3), 4)
+    a, b, c = scene.triangles_mm[:, 0], scene.triangles_mm[:, 1], scene.triangles_mm[:, 2]
+    weighed = np.repeat(np.cross(b - a, c - a), 3, axis=0)
+    keys = np.column_stack([np.repeat(scene.faces, 3), corners])
+    _, vertex = np.unique(keys, axis=0, return_inverse=True)
+    vertex = vertex.reshape(-1)
+    total = np.column_stack([np.bincount(vertex, weighed[:, k]) for k in range(3)])
+    total /= np.maximum(np.linalg.norm(total, axis=1), 1e-12)[:, None]
+    at = total[vertex].reshape(-1, 3, 3)
+    u, v, w = ((t[numbers]) for t in (b - a, c - a, a))
+    w = points_mm - w
+    uu, uv, vv = (np.einsum("ij,ij->i", p, q) for p, q in ((u, u), (u, v), (v, v)))
+    uw, vw = (np.einsum("ij,ij->i", p, w) for p in (u, v))
+    size = np.maximum(uu * vv - uv * uv, 1e-12)
+    s, t = (vv * uw - uv * vw) / size, (uu * vw - uv * uw) / size
+    shares = np.clip(np.column_stack([1 - s - t, s, t]), 0, 1)
+    normals = np.einsum("ij,ijk->ik", shares, at[numbers])
+    return np.asarray(normals / np.maximum(np.linalg.norm(normals, axis=1), 1e-12)[:, None])
+
+
+def _ground(scene: Scene, view: View, size: tuple[int, int], lamps: Lamps, shadow: float) -> Array:
     """How much light reaches the ground at each pixel, in parts of what it was."""
     level = float(scene.triangles_mm[..., 2].min())
     step = 4 * FINE
@@ -192,10 +230,13 @@ def _ground(scene: Scene, view: View, size: tuple[int, int], lamps: Lamps) -> Ar
     reach = float(np.linalg.norm(np.ptp(scene.triangles_mm.reshape(-1, 3), axis=0)))
     middle = scene.triangles_mm.reshape(-1, 3).mean(axis=0)
     spots = view.eye_mm + ways * np.where(np.isfinite(far), far, -1.0)[..., None]
-    near = (far > 0) & (np.linalg.norm(spots - middle, axis=-1) < 3.0 * reach)
+    away = np.linalg.norm(spots - middle, axis=-1) / reach
+    near = (far > 0) & (away < shadow)
     dark = np.zeros(far.shape)
     for way, share, lamp in lamps:
         dark[near] += share * float(way[2]) * (1 - lamp.lights(spots[near]))
+    # Where the ground ends, the shadow ends softly.
+    dark *= np.clip((shadow - away) / 0.15, 0, 1)
     most = sum(share * float(way[2]) for way, share, _ in lamps)
     picture = Image.fromarray((255 * (1 - _GROUND_DARK * dark / most)).astype(np.uint8))
     soft = picture.filter(ImageFilter.GaussianBlur(1.5))

@@ -28,6 +28,11 @@ COLOURS = {
 SMALL_PX, ROOM = (400, 300), 1.9
 #: Left, top, width and height of a part of a photo, px.
 Window = tuple[int, int, int, int]
+#: What is no higher stands on the ground; and how far shadows reach there and on other things, in
+#: parts of the object's size.
+ON_GROUND_MM, FAR_SHADOW, NEAR_SHADOW = 10.0, 3.0, 0.5
+#: Each pixel of a mask is drawn as so many by so many.
+MASK_FINE = 4
 _BESIDE = (-0.75, -0.85, -0.25)
 
 
@@ -114,13 +119,17 @@ def _in_place(
         camera.focal_px * share,
         (np.array(camera.principal_point_px) - (u0, v0)) * share,
     )
-    found = lit(scene, view, small, made.example.light_in_cam)
+    # What lies on another thing throws its shadow there, not far beyond.
+    low = float(scene.triangles_mm[..., 2].min())
+    shadow = FAR_SHADOW if low < ON_GROUND_MM else NEAR_SHADOW
+    found = lit(scene, view, small, made.example.light_in_cam, shadow=shadow)
     if made.example.in_front:
-        mask = Image.new("L", small.size, 0)
+        mask = Image.new("L", (small.width * MASK_FINE, small.height * MASK_FINE), 0)
         for ring in made.example.in_front:
-            places = [((u - u0) * share, (v - v0) * share) for u, v in ring]
+            places = [((u - u0) * share * MASK_FINE, (v - v0) * share * MASK_FINE) for u, v in ring]
             ImageDraw.Draw(mask).polygon(places, fill=255)
-        found.paste(small, (0, 0), mask.filter(ImageFilter.GaussianBlur(0.6)))
+        mask = mask.resize(small.size, Image.Resampling.BOX)
+        found.paste(small, (0, 0), mask.filter(ImageFilter.GaussianBlur(0.5)))
     return found
 
 

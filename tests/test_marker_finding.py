@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from rectangles import PHOTO, SMALL, camera_at, corners_mm, seen
+from scipy.ndimage import gaussian_filter
 
 from incontext.solver import SketchError
 from incontext.workbench import marker_finding
@@ -96,3 +97,53 @@ def test_exif_is_used_where_it_is_there():
     assert alone.view.focal_from == "usual"
     assert told.view.focal_from == "photo"
     assert told.view.focal_sigma < 0.2 * alone.view.focal_sigma
+
+
+def noisy(grey, rng):
+    return gaussian_filter(grey, 1.0) + rng.normal(0, 40, grey.shape)
+
+
+def dark(grey, rng):
+    return 0.12 * grey + rng.normal(0, 4, grey.shape)
+
+
+def half_in_soft_shade(grey, rng):
+    across = np.arange(grey.shape[1]) - grey.shape[1] / 2
+    return grey * (0.5 + 0.5 / (1 + np.exp(-across / 12.0)))
+
+
+@pytest.mark.parametrize("spoilt", [noisy, dark, half_in_soft_shade])
+def test_the_marker_is_found_in_bad_light(spoilt):
+    pytest.importorskip("cv2")
+    rng = np.random.default_rng(3)
+    camera = camera_at(40, -70, 420, 900, photo=SMALL)
+    grey = np.clip(spoilt(seen(camera, SMALL, rng), rng), 0, 255)
+    found = camera_of_photo(SMALL, grey, SQUARE)
+    assert len(found.seen.sides) == 4
+    assert found.view.camera.position_mm[2] == pytest.approx(camera.position_mm[2], rel=0.03)
+
+
+def test_a_corner_that_is_covered_is_where_the_sides_meet():
+    pytest.importorskip("cv2")
+    rng = np.random.default_rng(3)
+    camera = camera_at(40, -70, 420, 900, photo=SMALL)
+    grey, corners = seen(camera, SMALL, rng), camera.project(corners_mm(SQUARE))
+    y, x = np.mgrid[: grey.shape[0], : grey.shape[1]]
+    grey[np.hypot(x - corners[0, 0], y - corners[0, 1]) < 9] = 150.0
+    found = camera_of_photo(SMALL, grey, SQUARE)
+    ways = [np.abs(np.roll(found.view.corners_px, k, axis=0) - corners).max() for k in range(4)]
+    assert min(ways) < 0.5
+
+
+@pytest.mark.parametrize("size", [(297.0, 210.0), (85.60, 53.98)])
+def test_a_wrong_size_is_told_and_counted_as_unsure(size):
+    """Four corners of a square nearly are those of an oblong, seen by another camera."""
+    rng = np.random.default_rng(5)
+    camera = camera_at(35, -60, 420, 900, photo=SMALL)
+    grey, corners = seen(camera, SMALL, rng), camera.project(corners_mm(SQUARE))
+    right = camera_of_photo(SMALL, grey, SQUARE, corners)
+    assert not right.view.is_off
+    wrong = camera_of_photo(SMALL, grey, size, corners).view
+    assert wrong.is_off
+    assert wrong.focal_sigma > 5 * right.view.focal_sigma
+    assert any("check the size" in note for note in wrong.notes)

@@ -5,7 +5,7 @@ OpenCV finds the marker; it is optional, and corners that are told do without it
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -29,8 +29,13 @@ LEAST_SIGMA_PX = 0.1
 NOT_SEEN = (
     "No straight edges are seen between the corners, which are taken as they are: place them well."
 )
-#: How near those are that OpenCV finds, px.
-_FOUND_REACH_PX = 4.0
+#: How near those are that OpenCV finds, in parts of the longer side.
+FOUND_REACH = 0.004
+#: Where the marker is not seen at once: in a photo made so small, px; with paper seen within this
+#: part of it, all that is darker than these parts of the paper being black.
+EASY_PX = 1600.0
+PAPER_PARTS = (0.06, 0.15)
+BLACK_LEVELS = (0.3, 0.45, 0.6)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -91,18 +96,38 @@ def marker_corners(grey: Array) -> Array:
     import cv2
 
     dictionary = cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_50)
-    picture = np.clip(np.rint(grey), 0, 255).astype(np.uint8)
-    corners, names, _ = cv2.aruco.ArucoDetector(dictionary).detectMarkers(picture)
-    numbers = [] if names is None else names.ravel().tolist()
-    own = [c for c, number in zip(corners, numbers, strict=True) if number == 0]
-    if not own:
-        raise SketchError(
-            "no marker is seen in the photo", (), "a photo with all of it, or click its corners"
-        )
-    if len(own) > 1:
-        raise SketchError(f"{len(own)} markers are seen", (), "one only, or click its corners")
-    # OpenCV counts from the middle of the first pixel.
-    return np.asarray(own[0], dtype=float).reshape(4, 2) + 0.5
+    detector = cv2.aruco.ArucoDetector(dictionary)
+    for picture, shrunk in _pictures(np.clip(np.rint(grey), 0, 255).astype(np.uint8)):
+        corners, names, _ = detector.detectMarkers(picture)
+        numbers = [] if names is None else names.ravel().tolist()
+        own = [c for c, number in zip(corners, numbers, strict=True) if number == 0]
+        if len(own) > 1:
+            raise SketchError(f"{len(own)} markers are seen", (), "one only, or click its corners")
+        if own:
+            # OpenCV counts from the middle of the first pixel.
+            return (np.asarray(own[0], dtype=float).reshape(4, 2) + 0.5) * shrunk
+    raise SketchError(
+        "no marker is seen in the photo", (), "a photo with all of it, or click its corners"
+    )
+
+
+def _pictures(grey: Array) -> Iterator[tuple[Array, float]]:
+    """The photo, then what makes of it less noise, even light, plain black and white."""
+    import cv2
+
+    yield grey, 1.0
+    shrunk = max(1.0, max(grey.shape) / EASY_PX)
+    size = (round(grey.shape[1] / shrunk), round(grey.shape[0] / shrunk))
+    small = cv2.resize(grey, size, interpolation=cv2.INTER_AREA)
+    calm = cv2.GaussianBlur(small, (0, 0), 1.5)
+    yield calm, shrunk
+    for part in PAPER_PARTS:
+        # The brightest nearby is paper: in the shade as well.
+        side = 2 * int(part * max(size) / 2) + 1
+        paper = cv2.morphologyEx(calm, cv2.MORPH_CLOSE, np.ones((side, side), np.uint8))
+        even = calm / np.maximum(paper, 1.0)
+        for level in BLACK_LEVELS:
+            yield np.where(even < level, 0, 255).astype(np.uint8), shrunk
 
 
 def seen_corners(
@@ -136,10 +161,13 @@ def seen_corners(
     if corners_px is not None:
         ring, reach_px = ring_of(np.asarray(corners_px, dtype=float)), CLICK_REACH * longer
     elif grey is not None:
-        ring, reach_px = ring_of(marker_corners(grey)), _FOUND_REACH_PX
+        ring, reach_px = ring_of(marker_corners(grey)), FOUND_REACH * longer
     else:
         raise SketchError("without the photo no marker can be found", (), "tell the corners")
     seen = None if exactly or grey is None else refined_corners(grey, ring, reach_px)
+    if seen is None and corners_px is None and grey is not None and not exactly:
+        # A finger on a corner, or a shadow's edge, had it found beside.
+        seen = refined_corners(grey, ring, CLICK_REACH * longer)
     if seen is not None:
         return SeenCorners(seen.corners_px, max(LEAST_SIGMA_PX, seen.sigma_px), seen.sides)
     notes = () if exactly or grey is None else (NOT_SEEN,)

@@ -1292,6 +1292,10 @@
         <translation>Das hat nicht geklappt:</translation>
     </message>
     <message>
+        <source>The corners are {} px off any rectangle of this size: check the size, and that it lies flat.</source>
+        <translation>Die Ecken liegen {} px neben jedem Rechteck dieser Größe: die Größe prüfen, und ob es flach liegt.</translation>
+    </message>
+    <message>
         <source>The corners do not tell which side is the longer one: check the grid on the ground, or keep the photo's EXIF data.</source>
         <translation>Die Ecken verraten nicht, welche Seite die längere ist: das Raster am Boden prüfen oder die EXIF-Daten des Fotos behalten.</translation>
     </message>

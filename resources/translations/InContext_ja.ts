@@ -1292,6 +1292,10 @@
         <translation>うまくいきませんでした:</translation>
     </message>
     <message>
+        <source>The corners are {} px off any rectangle of this size: check the size, and that it lies flat.</source>
+        <translation>四隅はこの大きさのどの長方形からも {} px ずれています。大きさと、平らに置かれているかを確かめてください。</translation>
+    </message>
+    <message>
         <source>The corners do not tell which side is the longer one: check the grid on the ground, or keep the photo's EXIF data.</source>
         <translation>角だけではどちらが長辺か決まりません。地面のグリッドを確かめるか、写真の EXIF データを残してください。</translation>
     </message>

@@ -41,6 +41,9 @@ WISHED_SIZE_SIGMA, HARDLY = 0.02, 0.5
 LEAST_SIDE_PX, LEAST_SINE = 4.0, 0.05
 #: Corners that fit no better than this are not of this rectangle, px.
 LOST_PX = 4.0
+#: A misfit of more standard errors than this is no chance: the errors were larger than was thought.
+#: From this on, px, it is told.
+BELIEVED, NOTABLE_PX = 3.0, 0.4
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -65,6 +68,8 @@ class RectangleView:
         Whether the longer side may as well be the other one.
     twin : Camera or None
         The other pose, where it explains the corners almost as well.
+    is_off : bool
+        Whether the corners are further off any such rectangle than their own errors explain.
     """
 
     camera: Camera
@@ -76,6 +81,7 @@ class RectangleView:
     focal_from: str
     sides_unsure: bool = False
     twin: Camera | None = None
+    is_off: bool = False
 
     @property
     def corners_mm(self) -> Array:
@@ -86,6 +92,11 @@ class RectangleView:
     def notes(self) -> tuple[str, ...]:
         """What a person should know of it, a sentence each."""
         found = []
+        if self.is_off:
+            found.append(
+                f"The corners are {self.misfit_px:.1f} px off any rectangle of this size: check "
+                "the size, and that it lies flat."
+            )
         if self.focal_from == "usual":
             found.append(
                 "The rectangle is seen too square-on to tell the focal length, which is good to "
@@ -155,17 +166,21 @@ def camera_from_rectangle(
         for size in sorted({size_mm, size_mm[::-1]}, reverse=True)
     ]
     best, *others = sorted(readings, key=lambda reading: reading.badness)
+    # Eight numbers, seven unknowns: what is left over is one number's error.
+    left_over = 2 * best.misfit * unit / corner_sigma_px
+    wider = left_over if left_over > BELIEVED else 1.0
     best, twin = best.upright()
     view = RectangleView(
         camera=best.camera(unit, principal),
         size_mm=best.size_mm,
         corners_px=best.sight.seen * unit + principal,
         misfit_px=best.misfit * unit,
-        focal_sigma=best.focal_sigma,
-        size_sigma=best.size_sigma(),
+        focal_sigma=wider * best.focal_sigma,
+        size_sigma=wider * best.size_sigma(),
         focal_from=best.focal_from,
         sides_unsure=any(other.badness < best.badness + CLEARLY for other in others),
         twin=None if twin is None else twin.camera(unit, principal),
+        is_off=wider > 1.0 and best.misfit * unit > NOTABLE_PX,
     )
     if view.misfit_px > max(LOST_PX, 3 * corner_sigma_px):
         raise SketchError(

@@ -181,7 +181,7 @@ def _lift(overlaps: Iterable[Overlap], thing: Thing) -> float:
 def _floor(shared: manifold3d.Manifold, ground: float, least_mm2: float) -> float:
     """Up to where, above the ground, an overlap is as large as a floor; 0 where it is none."""
     # A turned thing's underside need not be quite on the ground.
-    heights = np.arange(TOUCH_MM / 2, LIFT_MM, FLOOR_STEP_MM).tolist()
+    heights: list[float] = np.arange(TOUCH_MM / 2, LIFT_MM, FLOOR_STEP_MM).tolist()
     solid = [z for z in heights if shared.slice(ground + z).area() >= least_mm2]
     if not solid or shared.slice(ground + LIFT_MM).area() >= least_mm2:
         return 0.0

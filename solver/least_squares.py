@@ -163,7 +163,7 @@ def _minimise(
         if reached.cost == np.inf:
             return replace(reached, iterations=iterations)
     last = replace(last, budget=max(1, last.budget - iterations))
-    reached = _descend(objective, x, last, stop)
+    reached = _descend(objective, x, last, stop, been)
     return replace(reached, iterations=iterations + reached.iterations)
 
 

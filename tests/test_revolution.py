@@ -96,7 +96,8 @@ def test_support_of_a_circle_equals_that_of_its_image():
 
 def test_derivatives_of_the_support_equal_central_differences():
     C, r, f = np.array([0.2, -0.1, 5.0]), 0.8, 0.4
-    at, n = supports(C, r, np.zeros(3), f)
+    found, n = supports(C, r, np.zeros(3), f)
+    at = found.slopes()
     step = 1e-6
     for k in range(3):
         d = np.eye(3)[k] * step

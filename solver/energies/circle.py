@@ -22,28 +22,71 @@ import numpy as np
 
 from ..values import Array
 
-_E = np.array([0.0, 0.0, 1.0])
-
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Support:
-    """Supports of k circles in j directions, and their derivatives.
+class Slopes:
+    """Derivatives of the supports of k circles in j directions.
 
     Parameters
     ----------
-    h : (k, j) array
     by_centre, by_normal : (k, j, 3) arrays
     by_radius, by_log_focal : (k, j) arrays
-    visible : bool
-        False where a circle reaches the eye's plane; the values then mean nothing.
     """
 
-    h: Array
     by_centre: Array
     by_normal: Array
     by_radius: Array
     by_log_focal: Array
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Support:
+    """Supports of k circles in j directions, in the letters of `circle_support`.
+
+    Parameters
+    ----------
+    h : (k, j) array
+    visible : bool
+        False where a circle reaches the eye's plane; the values then mean nothing.
+    p : (2, k, j) array
+        Without its last number, 0.
+    C : (3, k, 1) array
+    n : (3,) array
+    r : (k, 1) array
+    Cp, n_p : (k, j) arrays
+        Products C . p and n . p.
+    a, b, root : (k, j) arrays
+    c : (k, 1) array
+    """
+
+    h: Array
     visible: bool
+    p: Array
+    C: Array
+    n: Array
+    r: Array
+    Cp: Array
+    n_p: Array
+    a: Array
+    b: Array
+    c: Array
+    root: Array
+
+    def slopes(self) -> Slopes:
+        """Derivatives: h by a, b and c, and these by what they are made of."""
+        a, b, c, root, Cp, n_p = self.a, self.b, self.c, self.root, self.Cp, self.n_p
+        Cz, nz = self.C[2], float(self.n[2])
+        ha, hb, hc = (1 + a / root) / c, -0.5 / root, -(a + root) / c**2 - b / (2 * root * c)
+        by_centre, by_normal = np.empty((2, *a.shape, 3))
+        along = ha * Cz + 2 * hb * Cp
+        by_centre[..., 0], by_centre[..., 1] = along * self.p
+        by_centre[..., 2] = ha * Cp + 2 * hc * Cz
+        along = self.r**2 * (ha * nz + 2 * hb * n_p)
+        by_normal[..., 0], by_normal[..., 1] = along * self.p
+        by_normal[..., 2] = self.r**2 * (ha * n_p + 2 * hc * nz)
+        square = (self.p**2).sum(axis=0)
+        by_radius = ha * n_p * nz - hb * (square - n_p**2) - hc * (1 - nz**2)
+        return Slopes(by_centre, by_normal, 2 * self.r * by_radius, ha * a + 2 * hb * b)
 
 
 def ellipse_support(va: Array, vb: Array, centre: Array, q: Array) -> Array:
@@ -68,30 +111,15 @@ def circle_support(C: Array, r: Array, n: Array, focal: float, q: Array) -> Supp
     q : (k, j, 2) array
         Unit directions in the image.
     """
-    p = np.concatenate([focal * q, np.zeros((*q.shape[:2], 1))], axis=2)
-    Cp, Ce = np.einsum("kji,ki->kj", p, C), C[:, None, 2]
-    np_, ne = p @ n, n[2]
-    R2 = (r**2)[:, None]
-    a = Cp * Ce + R2 * np_ * ne
-    b = Cp**2 - R2 * ((p**2).sum(axis=2) - np_**2)
-    c = Ce**2 - R2 * (1 - ne**2)
+    p = focal * q.transpose(2, 0, 1)
+    centre, radius = C.T[:, :, None], r[:, None]
+    Cp, n_p = centre[0] * p[0] + centre[1] * p[1], n[0] * p[0] + n[1] * p[1]
+    Cz, nz, R2 = centre[2], float(n[2]), radius**2
+    a = Cp * Cz + R2 * nz * n_p
+    b = Cp**2 - R2 * ((p**2).sum(axis=0) - n_p**2)
+    c = Cz**2 - R2 * (1 - nz**2)
     square = a**2 - b * c
-    visible = bool((c > 0).all() and (square > 0).all() and (C[:, 2] > 0).all())
-    s = np.sqrt(np.maximum(square, 1e-300))
+    visible = bool((c > 0).all() and (square > 0).all() and (Cz > 0).all())
+    root = np.sqrt(np.maximum(square, 1e-300))
     c = np.where(c > 0, c, 1.0)
-    ha, hb, hc = (1 + a / s) / c, -0.5 / s, -(a + s) / c**2 - b / (2 * s * c)
-    Ce3, Cp3, np3 = Ce[..., None], Cp[..., None], np_[..., None]
-    by_centre = (
-        ha[..., None] * (p * Ce3 + _E * Cp3)
-        + hb[..., None] * (2 * p * Cp3)
-        + hc[..., None] * (2 * _E * Ce3)
-    )
-    by_normal = R2[..., None] * (
-        ha[..., None] * (p * ne + _E * np3)
-        + hb[..., None] * (2 * p * np3)
-        + hc[..., None] * (2 * _E * ne)
-    )
-    by_radius = (2 * r)[:, None] * (
-        ha * np_ * ne - hb * ((p**2).sum(axis=2) - np_**2) - hc * (1 - ne**2)
-    )
-    return Support((a + s) / c, by_centre, by_normal, by_radius, ha * a + hb * 2 * b, visible)
+    return Support((a + root) / c, visible, p, centre, n, radius, Cp, n_p, a, b, c, root)

@@ -30,7 +30,7 @@ from fabrication import shapes, slanted
 from fabrication.bodies import body, drawn_body, overlaps
 from scipy.spatial import HalfspaceIntersection
 
-from incontext.solver.model import Model
+from incontext.solver.model import Model, ModelFace
 from incontext.workbench.fabrication import (
     FabricationError,
     PlateSettings,
@@ -46,6 +46,7 @@ from incontext.workbench.fabrication.meshes import mesh_of
 from incontext.workbench.fabrication.plates import Joined, Plate
 from incontext.workbench.fabrication.prisms import prism as prism_over
 from incontext.workbench.fabrication.sheets import Sheet, lay_out
+from incontext.workbench.fabrication.sides import face_sides
 
 MAX_SECONDS = 60
 Loops = dict[str, list[tuple[float, float, float]]]
@@ -407,6 +408,7 @@ def broken_print(model: Model, settings: ShellSettings) -> Iterator[str]:
         yield "the surface passes through itself"
     if len(body_.decompose()) != 1 and not any(f.included for f in model.faces.values()):
         yield "the print is in pieces"
+    yield from _of_thickness(model, settings, mesh.vertices_mm, 1e-5 * size)
     drawn = drawn_body(model)
     if drawn is None or settings.side == "middle":
         return
@@ -417,6 +419,40 @@ def broken_print(model: Model, settings: ShellSettings) -> Iterator[str]:
     hull = m3.Manifold.hull_points(np.array(list(model.vertices_mm.values())))
     if closed and abs(hull.volume() - drawn.volume()) < 1e-9 * hull.volume():
         yield from _of_convex_print(model, settings, body_.volume(), hull)
+
+
+def _of_thickness(
+    model: Model, settings: ShellSettings, corners: np.ndarray, near: float
+) -> Iterator[str]:
+    """Corners of a print lie on the drawn faces, or a wall or more away from those made."""
+    loops = {id_: (f.loop_mm, *f.holes_mm) for id_, f in model.faces.items()}
+    sides = face_sides(loops, list(loops))
+    on, gaps = np.full(len(corners), np.inf), np.full(len(corners), np.inf)
+    for id_, face in model.faces.items():
+        if sides[id_] == 0:  # a partition's walls reach half as far
+            continue
+        gap = _distances(face, corners)
+        # The rim of an opening lies in its plane, beside it too.
+        normal = newell(face.loop_mm) / np.linalg.norm(newell(face.loop_mm))
+        off = gap if face.included else np.abs((corners - face.loop_mm[0]) @ normal)
+        on = np.minimum(on, off)
+        gaps = np.minimum(gaps, gap) if face.included else gaps
+    least = settings.wall_mm / (2 if settings.side == "middle" else 1)
+    thin = (gaps < least - near) & (on > near)
+    if thin.any():
+        yield f"a wall is {gaps[thin].min():.4g} mm thick instead of {least:.4g}"
+
+
+def _distances(face: ModelFace, points: np.ndarray) -> np.ndarray:
+    """How far points lie from a face."""
+    normal = newell(face.loop_mm) / np.linalg.norm(newell(face.loop_mm))
+    along = face.loop_mm[1] - face.loop_mm[0]
+    along = along / np.linalg.norm(along)
+    axes = np.array([along, np.cross(normal, along)])
+    flat = [(ring - face.loop_mm[0]) @ axes.T for ring in (face.loop_mm, *face.holes_mm)]
+    spots = shapely.points((points - face.loop_mm[0]) @ axes.T)
+    beside = shapely.distance(shapely.Polygon(flat[0], flat[1:]), spots)
+    return np.hypot(beside, (points - face.loop_mm[0]) @ normal)
 
 
 def _of_convex_print(

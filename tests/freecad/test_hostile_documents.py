@@ -15,7 +15,7 @@ from incontext.tests.fuzzing import broken_sketch, flipped
 #: What our objects may say of how it went.
 STATUSES = {
     "", "ready", "unreadable", "converged", "not_converged", "underdetermined", "conflicting",
-    "not_made", "waiting", "no_model", "no_sketch", "made", "failed",
+    "not_made", "not_cut", "waiting", "no_model", "no_sketch", "made", "failed",
 }  # fmt: skip
 PROPERTY = 'name="{}" type="App::Property{}"'
 

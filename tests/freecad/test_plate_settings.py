@@ -3,6 +3,7 @@
 import Part
 import pytest
 
+from incontext.workbench.fabrication import FabricationError
 from incontext.workbench.features.exports import export_plates, export_print
 from incontext.workbench.features.plate_set import joined_of
 from incontext.workbench.features.shelled_solid import make_shelled_solid
@@ -50,6 +51,29 @@ def test_a_mistake_is_told_and_the_last_plates_stay(shelf, document, name, value
     assert plates.Status == "not_made"
     assert words in plates.Message
     assert plates.Shape.Volume == volume
+
+
+@pytest.mark.parametrize(
+    ("settings", "words"),
+    [
+        ({"Kerf": 3.5}, "a notch or hole is narrower than the kerf of 3.5 mm"),
+        ({"CornerRelief": "dogbone", "ToolDiameter": 12}, "no room for a cutter of 12 mm"),
+        ({"SheetWidth": 50, "SheetHeight": 50}, "does not fit on a sheet of 50 x 50 mm"),
+        ({"SheetWidth": 600, "SheetHeight": 400, "Margin": 190}, "with a margin of 190 mm"),
+    ],
+)
+def test_what_cannot_be_cut_is_told_when_it_is_set(shelf, document, tmp_path, settings, words):
+    _, _, plates = shelf
+    for name, value in settings.items():
+        setattr(plates, name, value)
+    document.recompute()
+    assert plates.Status == "not_cut"
+    assert words in plates.Message
+    assert plates.Shape.isValid()
+    with pytest.raises(FabricationError) as caught:
+        export_plates(plates, tmp_path, "parts")
+    assert plates.Message.startswith(str(caught.value))
+    assert not list(tmp_path.iterdir())
 
 
 def test_exploded_plates_are_the_same_plates_apart(shelf, document):

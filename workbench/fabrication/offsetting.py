@@ -55,12 +55,23 @@ def moved_out(
     dict of face id to rings
         One for each loop, (n, 3) each.
     """
+    chains = moved_corners(vertices, loops, inwards, moves)
+    return {id_: tuple(np.vstack(ring) for ring in rings) for id_, rings in chains.items()}
+
+
+def moved_corners(
+    vertices: Mapping[str, Array],
+    loops: Mapping[str, Loops],
+    inwards: Mapping[str, Array],
+    moves: Mapping[str, float],
+) -> dict[str, tuple[list[Array], ...]]:
+    """For each loop of `moved_out`'s faces, and each of its vertices, the corners it becomes."""
     at = _faces_at(loops, inwards)
     corners = {v: _corners(v, at[v], vertices, loops, inwards, moves) for v in at}
     beside = _beside(loops, inwards)
-    result: dict[str, tuple[Array, ...]] = {}
+    result: dict[str, tuple[list[Array], ...]] = {}
     for id_ in inwards:
-        rings = []
+        rings: list[list[Array]] = []
         for loop in loops[id_]:
             chains = []
             for n, v in enumerate(loop):
@@ -72,7 +83,7 @@ def moved_out(
                     move = _own_move(id_, neighbours, inwards, moves)
                     chain = np.array([vertices[v] + move])
                 chains.append(_placed(chain, *(vertices[w] for w in (before, after, v))))
-            rings.append(np.vstack(chains))
+            rings.append(chains)
         result[id_] = tuple(rings)
     return result
 

@@ -95,16 +95,24 @@ def lay_out(
     FabricationError
         Where a plate is larger than the sheet, or a notch narrower than the kerf.
     """
-    paths = [
-        cut_path(plate, settings.kerf_mm, settings.relief, settings.tool_mm) for plate in plates
-    ]
-    size = settings.sheet_mm or _usual_sheet(paths, settings)
-    _check_fit(paths, size, settings)
+    paths, size = paths_that_fit(plates, settings)
     sheets: list[Sheet] = []
     for thickness in sorted({path.thickness_mm for path in paths}):
         group = [path for path in paths if path.thickness_mm == thickness]
         sheets += _sheets(group, size, thickness, settings, marks or {})
     return tuple(sheets)
+
+
+def paths_that_fit(
+    plates: Sequence[Plate], settings: PlateSettings
+) -> tuple[list[CutPath], tuple[float, float]]:
+    """The cut paths of plates, and the size of a sheet that takes each; raises as `lay_out`."""
+    paths = [
+        cut_path(plate, settings.kerf_mm, settings.relief, settings.tool_mm) for plate in plates
+    ]
+    size = settings.sheet_mm or _usual_sheet(paths, settings)
+    _check_fit(paths, size, settings)
+    return paths, size
 
 
 def _size(path: CutPath) -> tuple[float, float]:

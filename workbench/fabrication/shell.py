@@ -20,6 +20,7 @@ import numpy as np
 from ...solver.model import Model
 from ...solver.values import Array
 from .errors import FabricationError
+from .mixed_walls import mixed_wall
 from .offsetting import mixed_vertices
 from .polyhedra import Loop, Polyhedron, area_vector, polyhedron_of
 from .settings import ShellSettings
@@ -45,7 +46,8 @@ def shell_solid(model: Model, settings: ShellSettings = _DEFAULTS) -> cq.Shape:
     Returns
     -------
     cadquery.Shape
-        One valid solid in world mm, its corners sharp, its walls exactly `wall_mm` thick.
+        One valid solid in world mm, its corners sharp, its walls exactly `wall_mm` thick; a little
+        thicker right at vertices where edges look outwards and inwards.
 
     Raises
     ------
@@ -61,15 +63,22 @@ def shell_solid(model: Model, settings: ShellSettings = _DEFAULTS) -> cq.Shape:
     windows = [id_ for id_ in body.openings if _is_window(body, id_)]
     mouths = [id_ for id_ in body.openings if id_ not in windows]
     wall = settings.wall_mm
-    mixed = _mixed(body)
-    if mixed and mouths:
-        # The kernel does not fail here, it falls.
-        raise _no_wall_around(mixed, wall)
+    outwards = _outwards(body)
+    mixed = _mixed(body, outwards, mouths)
+    beside = {v: faces for v, faces in mixed.items() if {*faces} & {*mouths}}
+    if beside:
+        raise _no_wall_around(beside, wall)
     moves = {"inside": [-wall], "outside": [wall], "middle": [-wall / 2, wall / 2]}[settings.side]
     try:
-        parts = [_hollow(block, body, mouths, move) for move in moves]
+        # Of itself the kernel fails at mixed vertices.
+        parts = [
+            mixed_wall(block, body, outwards, mouths, move)
+            if mixed
+            else _hollow(block, body, mouths, move)
+            for move in moves
+        ]
     except FabricationError as error:
-        raise (_no_wall_around(mixed, wall) if mixed else _too_thick(body, wall)) from error
+        raise _too_thick(body, wall) from error
     slabs = [_thick(body, loops, -wall / 2, wall / 2) for loops in body.partitions.values()]
     parts += [slab.intersect(block) for slab in slabs]
     solid = parts[0].fuse(*parts[1:]) if len(parts) > 1 else parts[0]
@@ -79,12 +88,19 @@ def shell_solid(model: Model, settings: ShellSettings = _DEFAULTS) -> cq.Shape:
     return _one_solid(solid.clean() if len(parts) > 1 or windows else solid, block)
 
 
-def _mixed(body: Polyhedron) -> dict[str, list[str]]:
-    """Vertices where edges look outwards and inwards and the moved planes meet in no point."""
+def _outwards(body: Polyhedron) -> dict[str, Array]:
+    """Unit normals of the skin that look away from the object."""
     placed = {id_: tuple(map(body.points, loops)) for id_, loops in body.skin.items()}
     sides = face_sides(placed, list(placed))
-    inwards = {id_: sides[id_] * _normal(loops[0]) for id_, loops in placed.items()}
-    moves = {id_: 0.0 if id_ in body.openings else 1.0 for id_ in body.skin}
+    return {id_: -sides[id_] * _normal(loops[0]) for id_, loops in placed.items()}
+
+
+def _mixed(
+    body: Polyhedron, outwards: Mapping[str, Array], mouths: Sequence[str]
+) -> dict[str, list[str]]:
+    """Vertices where edges look outwards and inwards and the moved planes meet in no point."""
+    inwards = {id_: -normal for id_, normal in outwards.items()}
+    moves = {id_: 0.0 if id_ in mouths else 1.0 for id_ in body.skin}
     return mixed_vertices(body.vertices_mm, body.skin, inwards, moves)
 
 

@@ -98,7 +98,7 @@ class FitCheck(Proxy):
             words = host.translate("InContext", "choose plates or a shelled solid")
             set_outcome(obj, "no_object", words)
             return
-        if made.Status != "made":
+        if made.Status not in ("made", "not_cut"):
             # What is checked has said in words what is wrong: once is enough.
             words = host.translate("InContext", "waits for {}").format(made.Label)
             set_outcome(obj, "waiting", words)

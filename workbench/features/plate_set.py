@@ -180,6 +180,20 @@ class PlateSet(PresetProxy):
         _set_lines(obj, "Fit", fit)
         _set_lines(obj, "Joints", tuple(joint.words for joint in joined.joints))
         _show(obj, joined)
+        reason = _why_not_cut(obj, joined)
+        if reason:
+            fail(obj, "not_cut", f"{reason}; {obj.Message}")
+
+
+def _why_not_cut(obj: Any, joined: Joined) -> str:
+    """Why these plates cannot be cut as the settings say: told now, not at the export."""
+    from ..fabrication.sheets import paths_that_fit
+
+    try:
+        paths_that_fit(joined.plates, settings_of(obj))
+    except known_problems() as error:
+        return in_words(error)
+    return ""
 
 
 def _show(obj: Any, joined: Joined) -> None:

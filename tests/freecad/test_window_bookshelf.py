@@ -39,15 +39,21 @@ def photo_path():
     return EXAMPLE / "desk.jpg"
 
 
+def corners():
+    """Where the bookshelf's corners are in the photo."""
+    example = load_sketch(EXAMPLE / "bookshelf.sketch.json")
+    solution = solve(example)
+    places = dict(example.vertices)
+    for corner, (low, high) in zip(SHELF, UPRIGHTS, strict=False):
+        a, b = (solution.vertices_mm[v] for v in (low, high))
+        (places[corner],) = solution.camera.project(a + SHELF_AT * (b - a))
+    return places
+
+
 @pytest.fixture
 def person(person):
     """With the bookshelf's corners in mind."""
-    example = load_sketch(EXAMPLE / "bookshelf.sketch.json")
-    solution = solve(example)
-    person.places = dict(example.vertices)
-    for corner, (low, high) in zip(SHELF, UPRIGHTS, strict=False):
-        a, b = (solution.vertices_mm[v] for v in (low, high))
-        (person.places[corner],) = solution.camera.project(a + SHELF_AT * (b - a))
+    person.places = corners()
     return person
 
 

@@ -4,6 +4,7 @@ import FreeCADGui
 import pytest
 from PySide import QtCore, QtGui
 
+from incontext.tests.freecad import test_window_bookshelf as story
 from incontext.tests.freecad.hands import pump, wait_until
 from incontext.workbench.canvas.key_cursor import FAST_PX, FINE_PX, STEP_PX
 from incontext.workbench.features import pipeline
@@ -36,6 +37,17 @@ class Keys:
         if keys:
             self.press(*keys)
 
+    def click(self, *places):
+        """Move the cursor to the middle of some photo positions, and press there."""
+        self.go_to(tuple(sum(axis) / len(places) for axis in zip(*places, strict=True)))
+        self.press("space")
+
+    def choose(self, command, window):
+        """Take a command from the workbench's menu."""
+        self.press("alt+c")
+        self.until(lambda: highlighted(window) == command, "Down")
+        self.press("Return")
+
     def until(self, is_there, key="Tab"):
         """Go on until something is so."""
         for _ in range(80):
@@ -63,12 +75,11 @@ def keys(window, hands, document, photo_path, monkeypatch):
     return Keys(hands, open_tabs()[0].tab.view)
 
 
-def test_box_from_a_new_sketch_to_plates_without_a_mouse(keys, hands, document, window):
+def test_box_from_a_new_sketch_to_plates_without_a_mouse(keys, document, window):
     view = keys.view
     keys.press("b")
     for place in BOX:
-        keys.go_to(place)
-        keys.press("space")
+        keys.click(place)
     assert len(view.graph.edges) == 12
     drawn = sorted(view.graph.vertices.values())
     for place in BOX:
@@ -89,9 +100,7 @@ def test_box_from_a_new_sketch_to_plates_without_a_mouse(keys, hands, document, 
     assert len(view.graph.annotations) == count - 1
     keys.press("ctrl+z")
     assert len(view.graph.annotations) == count
-    hands.press("alt+c")
-    keys.until(lambda: highlighted(window) == "InContext_MakePlates", "Down")
-    keys.press("Return")
+    keys.choose("InContext_MakePlates", window)
     wait_until(lambda: document.getObject("PlateSet") is not None)
     assert document.getObject("PlateSet").PlateCount == 6
 
@@ -101,6 +110,40 @@ def highlighted(window):
     menu = QtGui.QApplication.activePopupWidget()
     action = None if menu is None else menu.activeAction()
     return "" if action is None else action.objectName()
+
+
+class TestBookshelf:
+    """The whole of the bookshelf's story, without a mouse."""
+
+    @pytest.fixture
+    def photo_path(self):
+        return story.EXAMPLE / "desk.jpg"
+
+    @pytest.fixture
+    def places(self):
+        return story.corners()
+
+    def test_it_comes_to_its_plates(self, keys, document, window, places):
+        keys.press("l")
+        for line in (story.BOTTOM, story.TOP, *story.UPRIGHTS, story.SHELF):
+            for corner in line:
+                keys.click(places[corner])
+            # An upright ends where another line is; a line that came round has ended.
+            keys.press("Return")
+        assert (len(keys.view.graph.vertices), len(keys.view.graph.edges)) == (12, 20)
+        for tool, loops in (("a", story.SQUARE), ("g", story.SQUARE[:1]), ("d", [("v1", "v2")])):
+            keys.press(tool)
+            for loop in loops:
+                keys.click(*(places[corner] for corner in loop))
+        keys.hands.type("210")
+        keys.press("Return", "o")
+        wait_until(lambda: "click again" in keys.view.hint)
+        for loop in story.OPEN:
+            keys.click(*(places[corner] for corner in loop))
+        keys.choose("InContext_MakePlates", window)
+        wait_until(lambda: document.getObject("PlateSet") is not None)
+        plates = document.getObject("PlateSet")
+        assert (plates.Status, plates.PlateCount) == ("made", 6), plates.Message
 
 
 def test_cursor_moves_pushes_zooms_and_goes_when_the_mouse_comes(keys, hands):

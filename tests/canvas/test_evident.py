@@ -7,6 +7,7 @@ import pytest
 
 from incontext.solver import solve
 from incontext.solver.annotations import Ground, Parallel, RightAngle
+from incontext.solver.graph import SketchGraph
 from incontext.solver.solution import Solution, Status
 from incontext.solver.synthetic import box, photograph
 from incontext.tests.scenes import GABLES, loose_house
@@ -45,6 +46,21 @@ def test_right_angles_that_nearly_hold_are_suggested_where_the_corner_is_off(cro
     near |= {"v0", *(w for e in crooked[0].edges.values() if "v0" in e for w in e)}
     assert {a.at for a in found} <= near
     assert len(set(found)) == len(found)
+
+
+@pytest.mark.parametrize("turned", [False, True])
+def test_a_line_in_pieces_has_one_right_angle_at_a_vertex(turned):
+    pieces = {"e1": ("v1", "v2"), "e2": ("v3", "v2") if turned else ("v2", "v3")}
+    drawn = {"v1": (0, 0), "v2": (10, 0), "v3": (30, 0), "v4": (10.4, 9)}
+    graph = SketchGraph(vertices=drawn, edges={**pieces, "e3": ("v2", "v4")})
+    places = {v: np.array((*p, 0.0)) for v, p in drawn.items()}
+    found = evident(graph, lifted(graph, places))
+    (angle,) = (a for a in found if isinstance(a, RightAngle))
+    assert angle.at == "v2"
+    # Said of either piece, it is said of both.
+    for piece in pieces:
+        said = replace(graph, annotations={"a1": RightAngle("v2", (piece, "e3"))})
+        assert not any(isinstance(a, RightAngle) for a in evident(said, lifted(said, places)))
 
 
 def test_lowest_vertices_are_suggested_as_the_ground(crooked):

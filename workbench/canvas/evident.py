@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
-from itertools import combinations, pairwise
+from itertools import combinations, pairwise, product
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -104,10 +104,26 @@ def _right_angles(graph: SketchGraph, solution: Solution) -> Iterator[tuple[floa
         for v in ends:
             at[v].append(edge)
     for v, edges in at.items():
-        for a, b in combinations(edges, 2):
-            off = abs(_angle_deg(graph, solution, a, b) - 90.0)
-            if _is_nearly(off) and (v, frozenset((a, b))) not in said:
-                yield off, RightAngle(v, (a, b))
+        for one, two in combinations(_straight_on(graph, solution, edges), 2):
+            off = abs(_angle_deg(graph, solution, one[0], two[0]) - 90.0)
+            pairs = (frozenset(pair) for pair in product(one, two))
+            if _is_nearly(off) and not any((v, pair) in said for pair in pairs):
+                yield off, RightAngle(v, (one[0], two[0]))
+
+
+def _straight_on(graph: SketchGraph, solution: Solution, edges: list[str]) -> list[list[str]]:
+    """Edges of one vertex, pieces of one line together: what is said of one is said of both."""
+    lines: list[list[str]] = []
+    for edge in edges:
+        angles = ((_angle_deg(graph, solution, line[0], edge), line) for line in lines)
+        # Of edges that point the same way round the angle is 0.
+        along = (line for angle, line in angles if min(angle, 180.0 - angle) < NEARLY_DEG[0])
+        line = next(along, None)
+        if line is None:
+            lines.append([edge])
+        else:
+            line.append(edge)
+    return lines
 
 
 def _parallels(

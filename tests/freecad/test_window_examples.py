@@ -38,11 +38,15 @@ def driving(model):
 
 
 def enlarge(model):
-    """Type a size 10 % larger; where none drives, fix one that is shown first."""
+    """Type a size 10 % larger; where none drives, fix the largest that is shown first.
+
+    There a marker tells the scale: a size that is typed changes nothing but itself.
+    """
     names = driving(model)
     if not names:
         shown = [n for n in model.PropertiesList if model.getGroupOfProperty(n) == SHOWN]
-        fix_or_free(model, [dimension_named(shown[0])])
+        largest = max(shown, key=lambda name: getattr(model, name).Value)
+        fix_or_free(model, [dimension_named(largest)])
         names = driving(model)
     setattr(model, names[0], LARGER * getattr(model, names[0]).Value)
     model.Document.recompute()

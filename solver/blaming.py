@@ -37,7 +37,7 @@ from .least_squares import EXACT_COST, Minimum, minimise
 from .problem import Problem, build_problem
 from .structure import build_structure
 from .values import Stop
-from .world import camera_above_ground, ground_indices, nothing_sinks
+from .world import camera_above_ground, ground_indices, is_upright, nothing_sinks
 
 #: A first view that misses the drawing by this part of its diagonal (RMS) makes doubtful whether
 #: the annotations are true; a result that does so is looked at more closely.
@@ -97,8 +97,8 @@ class Blame:
         Whether all annotations hold all the same, and only the drawing is not followed.
     sure : bool
         False where no shape was found yet that all annotations hold for, though there may be one.
-    information : float
-        Of the reading without the first (`Reading.information`).
+    information, rms : float
+        Of the reading without the first (`Reading.information`, `Reading.rms`).
     """
 
     ids: tuple[str, ...]
@@ -106,6 +106,7 @@ class Blame:
     held: bool
     sure: bool = True
     information: float = math.inf
+    rms: float = 0.0
 
 
 def reading_of(graph: SketchGraph, lifted: Candidate) -> Reading:
@@ -124,7 +125,8 @@ def reading_of(graph: SketchGraph, lifted: Candidate) -> Reading:
         n_free=4 + full.m - 1 - turning - held,
         plausible=(lifted.above or not ground_indices(graph))
         and (lifted.minimum.converged or is_held(lifted))
-        and nothing_sinks(graph, full.problem, x),
+        and nothing_sinks(graph, full.problem, x)
+        and is_upright(graph, full.problem, x),
         converged=is_settled(lifted),
     )
 
@@ -181,9 +183,9 @@ def find_blame(
     graph: SketchGraph,
     lifted: Candidate,
     stop: Stop,
+    afresh: Callable[[str], Candidate | None],
     *,
     lost: bool,
-    afresh: Callable[[str], Candidate | None] | None = None,
 ) -> Blame | None:
     """Which annotation contradicts the drawing and the others, if one does.
 
@@ -193,27 +195,35 @@ def find_blame(
     lifted : Candidate
         The best shape found so far.
     stop : callable
+    afresh : callable
+        Solves without an annotation, from nothing: where the drawing is missed by far, and from
+        where all give way no shape is found.
     lost : bool
-        Whether that is so bad that it is no place to look around from.
-    afresh : callable, optional
-        Solves without an annotation, from nothing; else from where they all give way.
+        Whether the best shape is so bad that it is no place to look around from.
     """
     relaxed = relax(graph, lifted.problem, lifted.minimum.x, stop, lost=lost)
     if relaxed is None:
         return None
     shapes: dict[str, Candidate] = {}
+    whole = reading_of(graph, lifted)
+    far = whole.rms > CLOSER_LOOK_RMS
 
     def attempt(id_: str) -> Reading | None:
         if stop():
             return None
-        found = afresh(id_) if afresh else lift_near(without(graph, id_), relaxed.shape, stop)
-        if found is None:
-            return None
-        shapes[id_] = found
-        return reading_of(without(graph, id_), found)
+        rest = without(graph, id_)
+        found: Candidate | None = lift_near(rest, relaxed.shape, stop)
+        reading = None if found is None else reading_of(rest, found)
+        if far and (reading is None or not reading.explains):
+            other = afresh(id_)
+            again = None if other is None else reading_of(rest, other)
+            if again is not None and (reading is None or again.explains):
+                found, reading = other, again
+        if found is not None:
+            shapes[id_] = found
+        return reading
 
     tried = convict([(s.id, s.weight) for s in relaxed.suspects], attempt)
-    whole = reading_of(graph, lifted)
     against = [(id_, r) for id_, r in tried if contradicts(whole, r)]
     # With the right shape in sight, perhaps all annotations hold.
     again = _reading_again(graph, shapes[against[0][0]], stop) if against else None
@@ -241,12 +251,14 @@ def _blame(
             f"Solved, but {_or(ids)} contradicts the drawing: {missed}.",
             True,
             information=best.information,
+            rms=best.rms,
         )
     return Blame(
         ids,
         f"{_or(ids)} contradicts the rest: {missed}. Solved without {ids[0]}.",
         False,
         information=best.information,
+        rms=best.rms,
     )
 
 
@@ -269,7 +281,7 @@ def blame_for_clash(
     """Whom to blame where annotations cannot all hold, whatever the drawing."""
     clash = find_clash(graph, stop)
     several = clash.culprits if len(clash.culprits) > 1 else ()
-    tried = convict([(id_, 1.0) for id_ in several], attempt)
+    tried = convict([(id_, 1.0) for id_ in several], attempt, afresh=True)
     ids = tuple(dict.fromkeys([*(id_ for id_, _ in tried), *clash.ids]))
     if not clash.culprits:
         return Blame(ids, f"{_and(ids)} cannot all hold: take one of them away.", False)

@@ -6,13 +6,11 @@ from functools import partial
 
 from .annotations import Diameter, Length
 from .blaming import (
-    GROSS_RMS,
     MAX_COORDINATES,
     MAX_NUMBERS,
     Blame,
     blame_for_clash,
     blame_for_wishes,
-    drawing_rms,
     find_blame,
     is_settled,
     needs_a_closer_look,
@@ -35,6 +33,9 @@ from .structure import Structure, build_structure
 from .values import Stop
 from .wishes import drawn_shape, fulfilled, sizes_of
 
+#: Where the drawing is met so well (RMS, parts of its diagonal) without what is to blame, nothing
+#: else is looked for.
+EXPLAINED_RMS = 0.0035
 #: So many annotations are left out, at most, to show a shape where they clash.
 MAX_CULPRITS = 4
 #: Of more edges and annotations than these nobody draws, one is left out.
@@ -52,15 +53,10 @@ def lift_or_blame(
     if effort.stopped or _is_fine(core, lifted):
         return leaning or lifted, None
     effort.doing("looking for annotations that disagree")
-    blamed = None
-    for lost in (False, True)[lifted.doubtful :]:
-        blamed = blamed or find_blame(core, lifted, effort, lost=lost)
-    if blamed is None and drawing_rms(lifted) > GROSS_RMS:
-        afresh = partial(_lift_without, core, effort=effort)
-        blamed = find_blame(core, lifted, effort, lost=True, afresh=afresh)
+    blamed = _most_to_blame(core, lifted, effort)
     if effort.stopped:
         return lifted, None
-    if leaning is not None and _explains(core, leaning, lifted, blamed):
+    if leaning is not None and _explains(core, leaning, lifted, blamed, effort):
         return leaning, None
     wished = _as_wished(core, structure, lifted, blamed, effort)
     if wished is not None:
@@ -82,6 +78,18 @@ def lift_or_blame(
     return lifted, blamed
 
 
+def _most_to_blame(core: SketchGraph, lifted: Lifted, effort: Effort) -> Blame | None:
+    """Looked for from here, and from other beginnings where that does not explain the drawing."""
+    afresh = partial(_lift_without, core, effort=effort)
+    found: list[Blame] = []
+    for lost in (True, False) if lifted.doubtful else (False, True):
+        blamed = find_blame(core, lifted, effort, afresh, lost=lost)
+        found += [] if blamed is None else [blamed]
+        if found and found[0].rms < EXPLAINED_RMS:
+            break
+    return min(found, key=lambda b: b.information, default=None)
+
+
 def _with_lean(
     core: SketchGraph, structure: Structure, lifted: Lifted, effort: Effort
 ) -> tuple[Lifted, Lifted | None]:
@@ -96,10 +104,18 @@ def _with_lean(
     return whole, as_leaning(core, whole, effort)
 
 
-def _explains(core: SketchGraph, leaning: Lifted, lifted: Lifted, blamed: Blame | None) -> bool:
+def _explains(
+    core: SketchGraph, leaning: Lifted, lifted: Lifted, blamed: Blame | None, effort: Effort
+) -> bool:
     """Whether a hand that leans explains the drawing better than a false annotation."""
     found = leaning_reading(core, leaning, lifted)
-    return found.plausible and (blamed is None or found.information < blamed.information)
+    if not found.plausible or blamed is None or found.information >= blamed.information:
+        return found.plausible and blamed is None
+    # Without it the drawing may be met better than was seen from nearby, to the last digits even.
+    other = _lift_without(core, blamed.ids[0], effort=effort)
+    if other is None or other.doubtful:
+        return True
+    return found.information < reading_of(without(core, blamed.ids[0]), other).information
 
 
 def _as_wished(

@@ -27,8 +27,8 @@ from .problem import Problem
 from .starting.drawn_lines import Agreement, DrawnLines, Pencils, drawn_lines, gathered, turns
 from .values import Array, BoolArray
 
-#: Focal lengths beyond these, in image units, are no camera a person holds.
-LOG_FOCAL_RANGE = (float(np.log(0.4)), float(np.log(40.0)))
+#: Focal lengths in image units: from as wide as cameras are to drawings without any perspective.
+LOG_FOCAL_RANGE = (float(np.log(0.4)), float(np.log(1e5)))
 #: Where the formula's view fits the lines to this angle (rad, RMS), no further views are tried.
 GOOD_MISFIT = 0.02
 #: Where the formula's view fits them to this, it is good enough to weigh each of many lines by.

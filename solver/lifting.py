@@ -20,7 +20,7 @@ from .blaming import is_doubtful
 from .diagnosis import focal_sigma
 from .full import EXIF_LOG_SIGMA, FocalPrior, FullProblem, Pose
 from .graph import SketchGraph
-from .initial import Start, lift_linear, miss_of_rays, views
+from .initial import LOG_FOCAL_RANGE, Start, lift_linear, miss_of_rays, views
 from .least_squares import ENOUGH, EXACT_COST, Minimum, minimise
 from .problem import Problem, build_problem
 from .solution import Solution
@@ -56,6 +56,9 @@ REACH = 0.25
 RIVAL = 3.0
 #: A log focal length less certain than this counts as not determined by the sketch.
 UNSURE_FOCAL_SIGMA = 0.3
+#: Exact drawings in parallel projection are met so well by vertex, image units squared, from as far
+#: as can be.
+PARALLEL_COST = 1e-10
 #: So near to a reading that was found, in parts of the size, all ways lead to it.
 SAME_SHAPE = 2e-3
 #: Pulls to equal depths, and how many times the miss of the rays outweighs it.
@@ -116,7 +119,7 @@ def lift(
     if best is None or is_unsure_of_focal(best.full, best.minimum.x):
         usual = replace(problem, log_focal_prior=USUAL.log_focal)
         assumed = _best(graph, usual, USUAL, stop)
-        if assumed is None:
+        if assumed is None or (best is not None and _shows_no_perspective(best)):
             return best
         # From there the drawing may well tell it.
         free = _go_on(graph, assumed, problem, None, stop)
@@ -145,6 +148,16 @@ def lift_near(
         return near
     unsure = is_unsure_of_focal(full, minimum.x)
     return replace(_as_expected(graph, near, USUAL if unsure else None, stop), focal_assumed=unsure)
+
+
+def _shows_no_perspective(lifted: Lifted) -> bool:
+    """Whether a drawing is met from as far as can be, and far better than a hand draws."""
+    at_limit = lifted.minimum.x.log_focal > LOG_FOCAL_RANGE[1] - 0.1
+    return (
+        lifted.above
+        and at_limit
+        and lifted.minimum.cost < PARALLEL_COST * len(lifted.problem.points)
+    )
 
 
 def told_focal(problem: Problem) -> FocalPrior | None:

@@ -32,6 +32,9 @@ AGREE = 1e-9
 MOSTLY_UP = 1 - 1e-9
 #: An object whose middle is so little above its ground, in parts of its size, is flat.
 FLAT = 1e-9
+#: Where the upward direction points downwards in the photo by so much (cosine), the camera was
+#: upside down.
+UPSIDE_DOWN = 0.3
 #: What is deeper in the ground than this part of the object's size is not there by chance.
 SUNK = 0.05
 
@@ -122,6 +125,16 @@ def nothing_sinks(graph: SketchGraph, problem: Problem, pose: Pose) -> bool:
     c = pose.g[problem.structure.coordinate]
     height = (c - c[ground].mean(axis=0)) @ up_direction(graph, problem, pose)
     return float(height.min()) > -SUNK * float(np.ptp(c, axis=0).max())
+
+
+def is_upright(graph: SketchGraph, problem: Problem, pose: Pose) -> bool:
+    """Whether what stands on the ground does not stand on its head in the photo.
+
+    Seen from far above either is fine.
+    """
+    if not ground_indices(graph):
+        return True
+    return float(pose.R[1] @ up_direction(graph, problem, pose)) < UPSIDE_DOWN
 
 
 def lean(graph: SketchGraph, problem: Problem, pose: Pose) -> float:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scenes import Hand, from_loops, photograph, prism
+from scenes import Hand, Views, from_loops, photograph, prism
 
 from incontext.solver import solve
 from incontext.solver.solution import Status
@@ -48,6 +48,22 @@ def test_exact_drawings_give_the_exact_shape(name):
     solution = solve(photo.graph)
     assert solution.status is Status.CONVERGED
     assert photo.error(solution.vertices_mm) < 1e-8
+
+
+@pytest.mark.parametrize("name", SHAPES)
+@pytest.mark.parametrize("fov_deg", [2.0, 0.1])
+def test_exact_drawings_from_afar_give_the_exact_shape(name, fov_deg):
+    photo = photograph(
+        SHAPES[name], np.random.default_rng(4), views=Views(fov_deg=(fov_deg, fov_deg))
+    )
+    solution = solve(photo.graph)
+    assert solution.status is Status.CONVERGED
+    assert photo.error(solution.vertices_mm) < 1e-8
+
+
+def test_a_drawing_without_any_perspective_is_not_bent_to_a_usual_camera():
+    photo = photograph(SHAPES["cross"], np.random.default_rng(4), views=Views(fov_deg=(1e-6, 1e-6)))
+    assert photo.error(solve(photo.graph).vertices_mm) < 1e-5
 
 
 @pytest.mark.parametrize("name", SHAPES)

@@ -16,8 +16,9 @@ from scipy.special import fdtrc
 
 from .suspects import HAND_SIGMA
 
-#: Suspects that are tried, at most.
-MAX_TRIED = 4
+#: Suspects that are tried: always, at most, and where none of these explains the drawing. What
+#: says much may be given up instead of what says little and is false: both are asked.
+LEAST_TRIED, MAX_TRIED, MOST_TRIED = 2, 4, 12
 COMPARABLE = 0.25
 #: An annotation counts as contradicting the drawing where chance would do as much with this
 #: probability, and the drawing is missed by at least this part of its diagonal (RMS): half a pixel.
@@ -75,7 +76,10 @@ class Reading:
 
 
 def convict(
-    suspects: Iterable[tuple[str, float]], attempt: Callable[[str], Reading | None]
+    suspects: Iterable[tuple[str, float]],
+    attempt: Callable[[str], Reading | None],
+    *,
+    afresh: bool = False,
 ) -> list[tuple[str, Reading]]:
     """Try suspects in turn; the best readings first.
 
@@ -86,12 +90,15 @@ def convict(
         the first is tried only if those before it were not to blame.
     attempt : callable
         Solves without one annotation.
+    afresh : bool
+        Whether attempts are soon over where they lead nowhere, so that more may be made.
     """
     tried: list[tuple[str, Reading]] = []
     heaviest = 0.0
-    for id_, weight in list(suspects)[:MAX_TRIED]:
+    for k, (id_, weight) in enumerate(list(suspects)[: MOST_TRIED if afresh else MAX_TRIED]):
         heaviest = max(heaviest, weight)
-        if weight < COMPARABLE * heaviest and any(r.explains for _, r in tried):
+        late = (weight < COMPARABLE * heaviest and k >= LEAST_TRIED) or k >= MAX_TRIED
+        if late and any(r.explains for _, r in tried):
             break
         reading = attempt(id_)
         if reading is not None:

@@ -5,6 +5,8 @@ import numpy as np
 import pytest
 from PySide import QtCore, QtGui
 
+from incontext.solver.dimensions.lengths import driving_sizes_mm, set_size
+from incontext.solver.serialise import sketch_to_text
 from incontext.tests.freecad.hands import pump, wait_until
 from incontext.workbench.features import pipeline
 from incontext.workbench.features.photo_change import with_photo
@@ -118,6 +120,27 @@ def test_view_through_the_photo_and_back(controller, view, document):
     assert drawn / np.linalg.norm(drawn) == pytest.approx(seen / np.linalg.norm(seen), abs=0.02)
     FreeCADGui.runCommand("InContext_ViewThroughPhoto")
     assert camera_of(view) == before
+
+
+def test_view_goes_on_looking_through_the_photo_when_sizes_change(controller, view, document):
+    """A larger size puts the camera farther off: what is seen stays as it was."""
+    FreeCADGui.runCommand("InContext_ViewThroughPhoto")
+    pump(0.5)
+    before = pipeline.solution_of(controller.obj.Sketch)
+    seen = [on_screen(view, before.vertices_mm[v]) for v in ("v0", "v10")]
+    graph = controller.tab.view.graph
+    (edge, size_mm), *_ = driving_sizes_mm(graph).items()
+    controller.obj.Sketch = sketch_to_text(set_size(graph, edge, 1.5 * size_mm))
+    document.recompute()
+    pump(1.0)
+    after = pipeline.solution_of(controller.obj.Sketch)
+    eye = view.getCameraNode().position.getValue().getValue()
+    assert after.camera.position_mm == pytest.approx(1.5 * before.camera.position_mm, rel=0.01)
+    assert eye == pytest.approx(after.camera.position_mm, rel=1e-4, abs=0.01)
+    still = [on_screen(view, after.vertices_mm[v]) for v in ("v0", "v10")]
+    assert np.array(still) == pytest.approx(np.array(seen), abs=3)
+    FreeCADGui.runCommand("InContext_ViewThroughPhoto")
+    pump(0.2)
 
 
 def camera_of(view):

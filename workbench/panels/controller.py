@@ -32,10 +32,12 @@ from .photo_plane import PhotoPlane
 from .shape_preview import ShapePreview
 from .sketch_tab import SketchTab
 from .straightening import LensWatch
+from .view_through import follow
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from ...solver.camera import Camera
     from ...solver.graph import SketchGraph
     from ...solver.solution import Solution
     from ..canvas.qt import QtGui
@@ -55,6 +57,7 @@ class SketchController:
         self.photo_loading = PhotoLoading(self.tab)
         self.preview = ShapePreview(self.document_name)
         self.photo_plane = PhotoPlane(obj)
+        self._camera: Camera | None = None
         self.lifting = Lifting(self.tab)
         #: The last lift: what it is of, and what came of it.
         self.lift: tuple[SketchGraph, Solution] | None = None
@@ -171,6 +174,13 @@ class SketchController:
         # With a shape that is none yet it would wander about: then it stays where it was.
         if solution is None or solution.status.value == "converged":
             self.photo_plane.stand(graph, solution)
+            self._follow(None if solution is None else solution.camera)
+
+    def _follow(self, camera: Camera | None) -> None:
+        """Where the 3D view looks through the photo, it goes on doing so."""
+        before, self._camera = self._camera, camera or self._camera
+        if before is not None and camera is not None and before is not camera:
+            follow(self.obj.Document.Name, before, camera)
 
     def _show_sketch(self) -> None:
         try:

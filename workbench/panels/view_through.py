@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import FreeCAD
+import numpy as np
 
 from ..features import pipeline
 from .messages import tell
@@ -16,8 +17,11 @@ from .shape_preview import view_3d_of
 if TYPE_CHECKING:
     from ...solver.camera import Camera
     from ...solver.graph import SketchGraph
+    from ...solver.values import Array
 
 
+#: An eye so near to the photo's, in parts of its distance, is there.
+SAME_PLACE = 1e-4
 #: What makes up a view; not every kind of camera has all of these.
 _FIELDS = ("position", "orientation", "focalDistance", "heightAngle", "height", "aspectRatio")
 
@@ -56,6 +60,30 @@ def look_through(obj: Any) -> None:
     _before[_key(obj)] = _Before(view.getCameraType(), _fields(view), shown)
     obj.ViewObject.Visibility = True
     _look(view, solution.camera, _sides(graph), depth_behind_mm(solution))
+
+
+def follow(document_name: str, old: Camera, new: Camera) -> None:
+    """Keep looking from where the photo was taken, where the 3D view did so until now.
+
+    The world has its frame and its size from the sketch: with another one the eye is elsewhere.
+    """
+    view = view_3d_of(document_name)
+    if view is None or view.getCameraType() != "Perspective":
+        return
+    node, eye = view.getCameraNode(), old.position_mm
+    off = np.array(node.position.getValue().getValue()) - eye
+    if float(np.linalg.norm(off)) > SAME_PLACE * max(float(np.linalg.norm(eye)), 1.0):
+        return
+    before, after = old.rotation_cam_from_world, new.rotation_cam_from_world
+    turn = _rotation(after) * _rotation(before).inverted()
+    looking = FreeCAD.Rotation(*node.orientation.getValue().getValue())
+    node.position.setValue(*map(float, new.position_mm))
+    node.orientation.setValue(*(turn * looking).Q)
+    slope = math.tan(node.heightAngle.getValue() / 2) * old.focal_px / new.focal_px
+    node.heightAngle.setValue(2 * math.atan(slope))
+    # What is looked at stays in the middle, and as large.
+    grown = float(np.linalg.norm(new.position_mm) / max(float(np.linalg.norm(eye)), 1e-9))
+    node.focalDistance.setValue(node.focalDistance.getValue() * grown)
 
 
 def look_as_before(obj: Any) -> None:
@@ -98,12 +126,17 @@ def _look(view: Any, camera: Camera, sides_px: tuple[float, float], depth_mm: fl
     """Put the eye where the photo's camera stood, the whole photo in view."""
     view.setCameraType("Perspective")
     node = view.getCameraNode()
-    right, down, forward = camera.rotation_cam_from_world
-    axes = [FreeCAD.Vector(*map(float, axis)) for axis in (right, -down, -forward)]
     node.position.setValue(*map(float, camera.position_mm))
-    node.orientation.setValue(*FreeCAD.Rotation(*axes, "ZXY").Q)
+    node.orientation.setValue(*_rotation(camera.rotation_cam_from_world).Q)
     node.focalDistance.setValue(depth_mm)
     node.heightAngle.setValue(_angle_rad(sides_px, camera.focal_px, view.getSize()))
+
+
+def _rotation(rotation_cam_from_world: Array) -> Any:
+    """A camera's orientation as Coin has it: x to the right, y up, looking along -z."""
+    right, down, forward = rotation_cam_from_world
+    axes = [FreeCAD.Vector(*map(float, axis)) for axis in (right, -down, -forward)]
+    return FreeCAD.Rotation(*axes, "ZXY")
 
 
 def _angle_rad(sides_px: tuple[float, float], focal_px: float, window_px: tuple[int, int]) -> float:

@@ -11,11 +11,15 @@ import FreeCADGui
 import numpy as np
 from PySide import QtCore, QtGui
 
+#: On a machine with much else to do, a while may be over before anything came.
+LEAST_ROUNDS = 6
+
 
 def pump(seconds: float = 0.3) -> None:
     """Let Qt work for a while."""
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
+    end, rounds = time.monotonic() + seconds, 0
+    while time.monotonic() < end or rounds < LEAST_ROUNDS:
+        rounds += 1
         QtGui.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 20)
         # Only an event loop of its own would delete what was closed.
         QtGui.QApplication.sendPostedEvents(None, QtCore.QEvent.DeferredDelete)

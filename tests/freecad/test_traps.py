@@ -35,7 +35,8 @@ edges are numbered anew                        test_stable_names; by hand on a p
 1.x renames links as soon as a shape is new    test_stable_names, on FreeCAD 1.0 and 1.1
 documents from a stranger                      test_hostile_documents
 `Metadata` differs between versions            test_startup: reads every field
-STEP names objects, not solids                 test_exporting: the plates as solids
+STEP names objects, not solids                 test_exporting: an assembly of named plates
+a drawing's page opens at some corner          test_window_drawing: the whole page
 =============================================  =================================================
 """
 

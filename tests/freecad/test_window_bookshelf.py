@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from incontext.solver import load_sketch, solve
-from incontext.tests.freecad.hands import pump, wait_until
+from incontext.tests.freecad.hands import wait_until
 from incontext.workbench.features import pipeline
 from incontext.workbench.gallery.outcome import REPLAYED
 
@@ -86,7 +86,7 @@ def test_bookshelf_from_an_empty_document_to_plates(person, document):
     assert (len(graph.vertices), len(graph.edges)) == (12, 20)
     annotate(person)
     person.push("InContext_MakePlates")
-    pump(1)
+    wait_until(lambda: getattr(document.getObject("PlateSet"), "Status", ""))
     solution = pipeline.solution_of(document.getObject("PhotoSketch").Sketch)
     assert solution.status.value == "converged", solution.message
     found = np.ptp(np.array(list(solution.vertices_mm.values())), axis=0)

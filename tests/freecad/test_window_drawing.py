@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
-import pytest
+import warnings
 
-from incontext.workbench.commands.draw_plates import drawing_for
+import FreeCADGui
+import pytest
+from PySide import QtCore, QtGui
+
+from incontext.tests.freecad.hands import pump, wait_until
+from incontext.workbench.commands.draw_plates import SETTLING_MS, drawing_for
 from incontext.workbench.features.flat_plate import is_flat_plate
-from incontext.workbench.features.plate_drawing import views_are_ready
+from incontext.workbench.features.plate_drawing import PAGE_MM, views_are_ready
 from incontext.workbench.features.plate_set import plates_of
 from incontext.workbench.panels.waiting import wait_for
 
@@ -47,6 +52,26 @@ def test_everything_follows_the_plates(drawn, shelf, document):
     assert sizes_on(page) == sizes_of(shelf[2])
     widths = [sheet.get(f"B{row}").Value for row in range(2, 8)]
     assert widths == [plate.size_mm[0] for plate in plates_of(shelf[2])]
+
+
+def test_the_command_shows_the_whole_page(window, shelf):
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(shelf[2])
+    with warnings.catch_warnings():
+        # FreeCAD opens its own workbench, which in 1.1 is older than its Python.
+        warnings.simplefilter("ignore")
+        FreeCADGui.runCommand("InContext_DrawPlates")
+    tab = window.findChild(QtGui.QMdiArea).activeSubWindow()
+    (view,) = tab.findChildren(QtGui.QGraphicsView)
+    # In tenths of a millimetre, upwards from the lower left corner.
+    page = QtCore.QRectF(0, -10 * PAGE_MM[1], 10 * PAGE_MM[0], 10 * PAGE_MM[1])
+
+    def shown():
+        return view.mapToScene(view.viewport().rect()).boundingRect()
+
+    pump(1.5 * SETTLING_MS / 1000)
+    wait_until(lambda: shown().adjusted(-20, -20, 20, 20).contains(page))
+    assert min(shown().width() / page.width(), shown().height() / page.height()) < 1.2
 
 
 def edges_of(view):

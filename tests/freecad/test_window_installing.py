@@ -7,9 +7,9 @@ import sys
 
 import FreeCADGui
 import pytest
-from PySide import QtCore, QtGui
+from PySide import QtGui
 
-from incontext.tests.freecad.hands import pump
+from incontext.tests.freecad.hands import pump, wait_until
 from incontext.workbench import host, packages
 from incontext.workbench.panels import asking, installing
 from incontext.workbench.panels.installing import InstallDialog
@@ -35,12 +35,9 @@ def dialog():
     pump(0.1)
 
 
-def wait(dialog, seconds=10):
-    """Until the process has ended."""
-    timer = QtCore.QElapsedTimer()
-    timer.start()
-    while dialog.is_working and timer.elapsed() < seconds * 1000:
-        pump(0.05)
+def wait(dialog):
+    """Until the process has ended, and its end was heard of."""
+    wait_until(lambda: not dialog.is_working)
     pump(0.1)
 
 
@@ -54,12 +51,12 @@ def test_it_says_what_is_missing_and_what_to_type(dialog):
 
 
 def test_one_button_installs_and_the_last_line_is_shown(dialog):
-    window = dialog("echo Collecting cadquery; sleep 0.6")
+    window = dialog("echo Collecting cadquery; cat")
     window.install_button.click()
-    pump(0.4)
-    assert window.words == "Collecting cadquery"
+    wait_until(lambda: window.words == "Collecting cadquery")
     assert window.findChild(QtGui.QProgressBar).isVisible()
     assert not window.install_button.isEnabled()
+    window._process.closeWriteChannel()
     wait(window)
     assert window.result() == QtGui.QDialog.Accepted
 
@@ -67,8 +64,7 @@ def test_one_button_installs_and_the_last_line_is_shown(dialog):
 def test_it_can_be_stopped_and_tried_again(dialog):
     window = dialog("exec sleep 30")
     window.install_button.click()
-    pump(0.3)
-    assert window.is_working
+    wait_until(lambda: window.is_working)
     window.close_button.click()
     wait(window)
     assert not window.is_working
@@ -88,8 +84,7 @@ def test_what_pip_says_is_shown_where_it_fails(dialog):
 def test_a_python_that_is_not_there_is_told():
     window = InstallDialog(["cadquery"], ["/nowhere/python3"], TYPED)
     window.install_button.click()
-    pump(0.3)
-    assert "/nowhere/python3" in window.words
+    wait_until(lambda: "/nowhere/python3" in window.words)
     assert window.install_button.isEnabled()
     window.deleteLater()
 

@@ -5,7 +5,7 @@ import pytest
 
 from incontext.solver.camera import Camera
 from incontext.solver.synthetic import image_ellipse
-from incontext.tests.freecad.hands import pump
+from incontext.tests.freecad.hands import wait_until
 from incontext.workbench.features import pipeline
 from incontext.workbench.gallery.outcome import REPLAYED
 
@@ -57,7 +57,7 @@ def test_lid_from_an_empty_sketch_to_a_printable_solid(person, document, camera)
     assert person.complaints() == []
     person.push("InContext_Lift")
     person.push("InContext_MakeShell")
-    pump(1)
+    wait_until(lambda: getattr(document.getObject("ShelledSolid"), "Status", ""), 60)
     solid = document.getObject("ShelledSolid")
     assert solid.Status == "made", solid.Message
     assert solid.Shape.isValid()

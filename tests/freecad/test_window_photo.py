@@ -87,7 +87,7 @@ def test_new_sketch_from_the_clipboard(hands, document):
     pump(0.5)
     (tab,) = open_tabs()
     assert (tab.tab.view.graph.photo.width_px, tab.tab.view.graph.photo.height_px) == (640, 480)
-    assert tab.tab.view.has_photo
+    wait_until(lambda: tab.tab.view.has_photo)
 
 
 def test_photo_stands_where_the_camera_sees_it_in_place(controller):

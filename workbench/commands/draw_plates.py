@@ -9,6 +9,9 @@ from ..features.plate_set import is_plate_set
 from .base import Command
 from .choosing import chosen, objects_of
 
+#: After this long a new tab has its size, also in FreeCAD 1.1.
+SETTLING_MS = 400
+
 
 class DrawPlates(Command):
     """Make a TechDraw page of the plates."""
@@ -28,6 +31,17 @@ class DrawPlates(Command):
         """See the class."""
         page = drawing_for(chosen(is_plate_set, "a plate set"))
         page.ViewObject.doubleClicked()
+        _show_whole_page()
+
+
+def _show_whole_page() -> None:
+    """At once, and when the new tab has its last size: FreeCAD shows some corner of the page."""
+    import FreeCADGui
+
+    from ..canvas.qt import QtCore
+
+    for delay_ms in (0, SETTLING_MS):
+        QtCore.QTimer.singleShot(delay_ms, lambda: FreeCADGui.SendMsgToActiveView("ViewFit"))
 
 
 def drawing_for(plate_set: Any) -> Any:

@@ -52,6 +52,8 @@ def sizes_of(graph: SketchGraph) -> dict[str, bool]:
 
 def _traced(graph: SketchGraph) -> frozenset[str]:
     """Construction that is drawn on real things, no line of dimension between made vertices."""
+    if not graph.construction:
+        return frozenset()
     helping = set(graph.construction)
     made = {v for id_, ends in graph.edges.items() if id_ not in helping for v in ends}
     return frozenset(id_ for id_ in helping if not made.issuperset(graph.edges.get(id_, ("",))))

@@ -16,6 +16,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from ..merging import numbered
 from ..problem import Problem
 from ..structure import Structure
 from ..topology import MAX_KEPT
@@ -98,10 +99,10 @@ def _layout(structure: Structure, n_vertices: int) -> _Layout:
     along = np.flatnonzero(structure.edge_axis >= 0)
     order = along[np.argsort(structure.edge_axis[along], kind="stable")]
     lines, vertices, axes, n_lines = [], [], [], 0
-    shared = structure.coordinate[:n_vertices]
-    for k in np.unique(structure.edge_axis[along]).tolist():
-        code = shared[:, (k + 1) % 3] * structure.n_coordinates + shared[:, (k + 2) % 3]
-        _, line, count = np.unique(code, return_inverse=True, return_counts=True)
+    shared, m = structure.coordinate[:n_vertices], structure.n_coordinates
+    for k in np.flatnonzero(np.bincount(structure.edge_axis[along])).tolist():
+        _, line = numbered(shared[:, (k + 1) % 3] * m + shared[:, (k + 2) % 3], m * m)
+        count = np.bincount(line)
         several = np.cumsum(count > 1) - 1
         chosen = np.flatnonzero(count[line] > 1)
         lines.append(n_lines + several[line[chosen]])

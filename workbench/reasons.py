@@ -54,6 +54,7 @@ REASONS = (
     "the plates would lie in one another",
     "the profile crosses itself or the axis",
     "the surface is not closed",
+    "these faces are a body of their own, or a hollow within the other one",
     "these faces are not flat",
     "thinner plates",
     "thinner plates, or walls further apart",

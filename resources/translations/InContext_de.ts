@@ -2010,6 +2010,10 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>es gibt keine Vorgabe {}</translation>
     </message>
     <message>
+        <source>these faces are a body of their own, or a hollow within the other one</source>
+        <translation>diese Flächen sind ein Körper für sich oder ein Hohlraum im anderen</translation>
+    </message>
+    <message>
         <source>these faces are not flat</source>
         <translation>diese Flächen sind nicht eben</translation>
     </message>

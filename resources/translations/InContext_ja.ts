@@ -2010,6 +2010,10 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>プリセット {} はありません</translation>
     </message>
     <message>
+        <source>these faces are a body of their own, or a hollow within the other one</source>
+        <translation>これらの面は別の立体か、もう一つの立体の中の空洞です</translation>
+    </message>
+    <message>
         <source>these faces are not flat</source>
         <translation>この面は平らではありません</translation>
     </message>

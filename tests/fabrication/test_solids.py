@@ -159,3 +159,15 @@ def test_no_wall_around_a_vertex_of_convex_and_concave_edges_beside_an_opening()
         shell_solid(model)
     assert caught.value.ids == ("s0", "s1", "s2", "s3", "s4", "s5")
     assert shell_solid(model, ShellSettings(solid=True)).isValid()
+
+
+def test_two_bodies_are_no_print():
+    loops = shapes.box_loops(40.0, 40.0, 40.0)
+    beside = {
+        f"{id_}_2": [(x / 4 + 60, y / 4 + 15, z / 4 + 15) for x, y, z in loop]
+        for id_, loop in loops.items()
+    }
+    with pytest.raises(FabricationError, match="a body of their own") as caught:
+        shell_solid(shapes.model({**loops, **beside}))
+    assert set(caught.value.ids) in (set(loops), set(beside))
+    assert shell_solid(shapes.model(loops)).isValid()

@@ -18,6 +18,7 @@ from itertools import pairwise
 import numpy as np
 
 from ...solver.model import Model
+from ...solver.union_find import UnionFind
 from ...solver.values import Array
 from .errors import FabricationError
 from .frame import SNAP_MM, newell
@@ -80,6 +81,7 @@ def polyhedron_of(model: Model) -> Polyhedron:
         if id_ not in partitions
     }
     _check_closed(model, skin)
+    _check_one(skin)
     openings = tuple(id_ for id_ in skin if not model.faces[id_].included)
     kept = {id_: face for id_, face in partitions.items() if model.faces[id_].included}
     return Polyhedron(vertices, skin, openings, kept)
@@ -157,6 +159,24 @@ def _check_closed(model: Model, skin: Mapping[str, Sequence[Loop]]) -> None:
             raise FabricationError(what, _edge_names(edges, model), remedy)
     if len(skin) < 4:
         raise FabricationError("the faces do not enclose anything", skin, "a closed set of faces")
+
+
+def _check_one(skin: Mapping[str, Sequence[Loop]]) -> None:
+    """All faces of the skin must hang together, edge by edge."""
+    sets, first = UnionFind(len(skin)), dict[frozenset[str], int]()
+    for n, loops in enumerate(skin.values()):
+        for loop in loops:
+            for ends in pairwise((*loop, loop[0])):
+                sets.union(n, first.setdefault(frozenset(ends), n))
+    groups: dict[int, list[str]] = {}
+    for id_, label in zip(skin, sets.labels(), strict=True):
+        groups.setdefault(label, []).append(id_)
+    if len(groups) > 1:
+        raise FabricationError(
+            "these faces are a body of their own, or a hollow within the other one",
+            min(groups.values(), key=len),
+            "leave them out, or sketch them on their own",
+        )
 
 
 def _edge_names(edges: Iterable[frozenset[str]], model: Model) -> list[str]:

@@ -26,7 +26,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 import manifold3d as m3
 import numpy as np
 import shapely
-from fabrication import shapes, slanted
+from fabrication import shapes, slanted, strange
 from fabrication.bodies import body, drawn_body, overlaps
 from scipy.spatial import HalfspaceIntersection
 
@@ -250,7 +250,7 @@ FAMILIES: dict[str, Callable[[np.random.Generator], tuple[Loops, dict]]] = {
     f.__name__: f
     for f in (
         prism, star, section, convex, halfspaces, organizer, polycube, slanted_lid, frustum, spire,
-        house, long,
+        house, long, strange.halved, strange.plus, strange.fan, strange.pencil,
     )
 }  # fmt: skip
 

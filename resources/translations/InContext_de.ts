@@ -1558,6 +1558,22 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>ein größerer Drucker oder mehrere Teile</translation>
     </message>
     <message>
+        <source>a larger sheet, or a smaller margin</source>
+        <translation>eine größere Tafel oder einen kleineren Rand</translation>
+    </message>
+    <message>
+        <source>a larger sheet, or another grain</source>
+        <translation>eine größere Tafel oder eine andere Faserrichtung</translation>
+    </message>
+    <message>
+        <source>a hole of {} x {} mm is narrower than the kerf of {} mm</source>
+        <translation>ein Loch von {} x {} mm ist schmaler als die Schnittfuge von {} mm</translation>
+    </message>
+    <message>
+        <source>a notch is narrower than the kerf of {} mm</source>
+        <translation>eine Kerbe ist schmaler als die Schnittfuge von {} mm</translation>
+    </message>
+    <message>
         <source>a larger sheet</source>
         <translation>eine größere Tafel</translation>
     </message>

@@ -1558,6 +1558,22 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>大きいプリンターにするか、分割する</translation>
     </message>
     <message>
+        <source>a larger sheet, or a smaller margin</source>
+        <translation>大きい板材、またはより小さな余白</translation>
+    </message>
+    <message>
+        <source>a larger sheet, or another grain</source>
+        <translation>大きい板材、または別の木目方向</translation>
+    </message>
+    <message>
+        <source>a hole of {} x {} mm is narrower than the kerf of {} mm</source>
+        <translation>{} x {} mm の穴が切り幅 {} mm より狭いです</translation>
+    </message>
+    <message>
+        <source>a notch is narrower than the kerf of {} mm</source>
+        <translation>切り欠きが切り幅 {} mm より狭いです</translation>
+    </message>
+    <message>
         <source>a larger sheet</source>
         <translation>大きい板材</translation>
     </message>

@@ -27,7 +27,7 @@ from incontext.workbench.fabrication.dxf import dxf_bytes
 from incontext.workbench.fabrication.errors import SettingsError
 from incontext.workbench.fabrication.fits import coupon_sheets, effects
 from incontext.workbench.fabrication.marks import edge_marks
-from incontext.workbench.fabrication.settings import GRAINS, OPEN_ENDS, RELIEFS, SIDES
+from incontext.workbench.fabrication.settings import GRAINS, OPEN_ENDS, RELIEFS, SIDES, bed_note
 from incontext.workbench.fabrication.sheets import lay_out
 
 SHAPES = ("box", "unequal box", "bookshelf", "table tray", "chevron", "leaning pyramid", "crossed")
@@ -123,7 +123,19 @@ def test_plates_are_lawful_or_refused_in_words(name, thickness, said):
     [
         ({"thickness_mm": 60.0}, ("bottom", "shelf"), "75 mm apart"),
         ({"kerf_mm": 5.0}, None, "5 mm"),
+        ({"kerf_mm": 3.5}, ("back",), "a hole of 11.41 x 3 mm is narrower than the kerf of 3.5 mm"),
         ({"sheet_mm": (150.0, 100.0)}, None, "sheet of 150 x 100 mm"),
+        ({"sheet_mm": (400.0, 300.0), "margin_mm": 110.0}, None, "or a smaller margin"),
+        ({"sheet_mm": (210.0, 175.0), "grain": "x"}, None, "or another grain"),
+        ({"relief": "dogbone", "tool_mm": 12.0}, ("bottom",), "no room for a cutter of 12 mm"),
+        ({"thickness_mm": 90.0}, ("bottom", "top"), "160 mm apart"),
+        ({"finger_mm": 0.0}, (), "the finger width is 0 mm"),
+        ({"finger_mm": -3.0}, (), "the finger width is -3 mm"),
+        ({"finger_mm": 1e9}, (), "a number from 0.5 to 1000 mm"),
+        ({"play_mm": 5.0}, (), "the play is 5 mm"),
+        ({"kerf_mm": -1.0}, (), "the kerf is -1 mm"),
+        ({"spacing_mm": -1.0}, (), "the spacing is -1 mm"),
+        ({"thickness_mm": 0.0}, (), "the thickness is 0 mm"),
         ({"joints": (JointChoice("e3", "half_lap"),)}, ("e3",), "no half lap"),
         ({"joints": (JointChoice("e3", "finger", 2.0, None, "f9"),)}, ("e3",), "f9 does not meet"),
         ({"joints": (JointChoice("e77", "butt"),)}, ("e77",), "no two plates meet there"),
@@ -170,6 +182,30 @@ def test_solids_are_lawful_or_refused_in_words(name, said):
         return
     assert outcome.isValid()
     assert outcome.Volume() > 0
+
+
+@pytest.mark.parametrize(
+    ("said", "ids", "words"),
+    [
+        ({"wall_mm": 0.0}, (), "the wall is 0 mm"),
+        ({"wall_mm": 31.0}, ("bottom", "top"), "too thick: the shape measures 60 mm here"),
+        ({"wall_mm": 0.2}, (), "thinner than the least wall of 0.4 mm"),
+        ({"tolerance_mm": 0.0}, (), "the tolerance is 0 mm"),
+        ({"bed_mm": (0.0, 100.0, 100.0)}, (), "the size of the bed is 0 mm"),
+        ({"side": "left"}, (), "there is no side 'left'"),
+    ],
+)
+def test_typical_mistakes_about_prints(said, ids, words):
+    with pytest.raises(FabricationError, match=words) as caught:
+        shell_solid(shapes.box(), ShellSettings(**said))
+    assert in_words(caught.value)
+    assert caught.value.ids == ids
+
+
+def test_what_fits_the_bed_on_another_side_is_told_so():
+    assert "lay it on another side" in bed_note((120.0, 80.0, 60.0 + 1e-7), (60.0, 80.0, 120.0))
+    assert "a larger printer" in bed_note((120.0, 80.0, 60.0), (100.0, 60.0, 60.0))
+    assert bed_note((120.0 + 1e-7, 80.0, 60.0), (80.0, 120.0, 60.0)) == ""
 
 
 def test_settings_errors_are_fabrication_errors():

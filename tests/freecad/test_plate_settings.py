@@ -56,7 +56,7 @@ def test_a_mistake_is_told_and_the_last_plates_stay(shelf, document, name, value
 @pytest.mark.parametrize(
     ("settings", "words"),
     [
-        ({"Kerf": 3.5}, "a notch or hole is narrower than the kerf of 3.5 mm"),
+        ({"Kerf": 3.5}, " x 3 mm is narrower than the kerf of 3.5 mm"),
         ({"CornerRelief": "dogbone", "ToolDiameter": 12}, "no room for a cutter of 12 mm"),
         ({"SheetWidth": 50, "SheetHeight": 50}, "does not fit on a sheet of 50 x 50 mm"),
         ({"SheetWidth": 600, "SheetHeight": 400, "Margin": 190}, "with a margin of 190 mm"),

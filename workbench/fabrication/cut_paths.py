@@ -93,8 +93,11 @@ def _path(plate_id: str, ring: Array, kerf: float, *, hole: bool) -> Array:
         moved = _moved(ring[::-1] if hole else ring, -kerf / 2 if hole else kerf / 2)
         moved = moved[::-1] if moved is not None and hole else moved
     if moved is None:
+        width, height = np.ptp(ring, axis=0).tolist()
         raise FabricationError(
-            f"a notch or hole is narrower than the kerf of {kerf:g} mm",
+            f"a hole of {width:.4g} x {height:.4g} mm is narrower than the kerf of {kerf:g} mm"
+            if hole
+            else f"a notch is narrower than the kerf of {kerf:g} mm",
             (plate_id,),
             "a smaller kerf, or wider fingers",
         )

@@ -174,7 +174,7 @@ def _check_one(skin: Mapping[str, Sequence[Loop]]) -> None:
     if len(groups) > 1:
         raise FabricationError(
             "these faces are a body of their own, or a hollow within the other one",
-            min(groups.values(), key=len),
+            min((len(group), group) for group in groups.values())[1],
             "leave them out, or sketch them on their own",
         )
 

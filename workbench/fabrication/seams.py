@@ -64,7 +64,9 @@ def find_seams(walls: Sequence[SlantedWall]) -> dict[tuple[int, int, int], Seam]
             for e, ends in enumerate(pairwise([*keys, keys[0]])):
                 users.setdefault(frozenset(ends), []).append((w, r, e))
     seams = {}
-    for edges in users.values():
+    for places_of_ends, edges in users.items():
+        if len(places_of_ends) < 2:  # all in one place: too short for a joint
+            continue
         made = [edge for edge in edges if walls[edge[0]].thickness_mm > 0]
         edges = made if len(made) > 1 else edges
         if len(made) > 2:

@@ -212,12 +212,16 @@ def bed_note(size_mm: tuple[float, float, float], bed_mm: tuple[float, float, fl
     """What to say where a print is larger than the printer's bed; empty where it fits."""
     if bed_mm is None:
         return ""
-    (x, y, z), (width, depth, height) = size_mm, bed_mm
+    x, y, z = size_mm
+    # By less than this a measured size may be too large.
+    width, depth, height = (n + 1e-3 for n in bed_mm)
     flat = (x <= width and y <= depth) or (y <= width and x <= depth)
     if flat and z <= height:
         return ""
     size, room = (" x ".join(f"{n:.4g}" for n in sizes) for sizes in (size_mm, bed_mm))
-    turned = all(a <= b for a, b in zip(sorted(size_mm), sorted(bed_mm), strict=True))
+    turned = all(
+        a <= b for a, b in zip(sorted(size_mm), sorted((width, depth, height)), strict=True)
+    )
     remedy = "lay it on another side" if turned else "a larger printer, or several parts"
     return f"the print is {size} mm, larger than the printer's {room} mm; try: {remedy}"
 

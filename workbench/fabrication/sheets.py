@@ -152,8 +152,17 @@ def _check_fit(
             f"{size[1]:g} mm with a margin of {settings.margin_mm:g} mm"
             + ("" if settings.grain == "free" else f" and its grain along {settings.grain}"),
             (path.plate_id for path in large),
-            "a larger sheet",
+            _remedy(large, size, settings),
         )
+
+
+def _remedy(large: Sequence[CutPath], size: tuple[float, float], settings: PlateSettings) -> str:
+    """What would let plates fit that do not."""
+    if all(_fits(path, _room(size, settings), "free") for path in large):
+        return "a larger sheet, or another grain"
+    if all(_fits(path, size, settings.grain) for path in large):
+        return "a larger sheet, or a smaller margin"
+    return "a larger sheet"
 
 
 def _sheets(

@@ -2,6 +2,7 @@
 
 import threading
 import time
+from pathlib import Path
 
 import FreeCADGui
 import numpy as np
@@ -12,6 +13,8 @@ from incontext.solver import solve
 from incontext.tests.freecad.hands import pump, wait_until
 from incontext.workbench.features import pipeline
 from incontext.workbench.panels.lifting import Lifting
+
+EXAMPLES = Path(__file__).parents[2] / "resources" / "examples"
 
 
 @pytest.fixture
@@ -89,6 +92,28 @@ def test_without_a_model_the_preview_shows_the_shape(document, shelf_path):
     wait_until(lambda: controller.preview.is_shown)
     document.removeObject(controller.obj.Name)
     wait_until(lambda: not controller.preview.is_shown)
+
+
+def test_a_surface_of_revolution_is_shown_before_anything_is_made_of_it(window, document):
+    from incontext.workbench.commands.import_sketch import imported
+    from incontext.workbench.panels.tabs import show_tab
+
+    (lid,) = (EXAMPLES / "teapot_lid").glob("*.sketch.json")
+    controller = show_tab(imported(document, lid))
+    wait_until(lambda: controller.preview.is_shown)
+    solution = pipeline.known_solution_of(controller.obj.Sketch)
+    (turned,) = controller.tab.view.graph.revolutions.values()
+    points = np.array(controller.preview._points.point.getValues())
+    top = solution.circles[turned.top]
+    off = np.hypot(*(points - top.center_mm)[:, :2].T) - top.radius_mm
+    on_top = (abs(off) < 1e-3) & (abs(points[:, 2] - top.center_mm[2]) < 1e-3)
+    # The circle itself, and the last ring of the surface, which has faces down to the bottom.
+    assert on_top.sum() >= 2 * 48
+    corners = np.array(controller.preview._faces.coordIndex.getValues())
+    used = points[corners[corners >= 0]]
+    assert used[:, 2].max() == pytest.approx(top.center_mm[2], abs=1e-3)
+    bottom = solution.circles[turned.bottom].center_mm[2]
+    assert used[:, 2].min() == pytest.approx(bottom, abs=1e-3)
 
 
 @pytest.fixture

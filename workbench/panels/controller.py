@@ -222,7 +222,8 @@ class SketchController:
         view.set_findings(solution.report.loose, solution.report.conflicts)
         made = _dependents(self.obj)
         if solution.vertices_mm and (in_hand or not made):
-            self.preview.show(solution, made)
+            graph = self.lift[0] if self.lift else view.graph
+            self.preview.show(graph, solution, made)
         else:
             self.preview.hide()
 
@@ -275,8 +276,9 @@ class SketchController:
         if not words:
             words = [self.obj.Message if solution is None else solution.message]
         words = [in_language(w) for w in words]
+        good = solution is None or not solution.report.conflicts
         joined = " \N{MIDDLE DOT} ".join(w.rstrip(".\N{IDEOGRAPHIC FULL STOP}") for w in words if w)
-        self.tab.show_outcome(joined, good=True)
+        self.tab.show_outcome(joined, good=good)
 
     @property
     def models(self) -> list[Any]:

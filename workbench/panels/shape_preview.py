@@ -8,7 +8,7 @@ stand-ins
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 import FreeCADGui
@@ -17,6 +17,7 @@ import numpy as np
 from ..canvas.lifted import ring_mm
 
 if TYPE_CHECKING:
+    from ...solver.graph import Revolution, SketchGraph
     from ...solver.solution import Solution
 
 FACE = (0.62, 0.77, 0.93)
@@ -46,14 +47,14 @@ class ShapePreview:
         for node in (pick, self._points, _faces(coin, self._faces), _lines(coin, self._lines)):
             self._root.addChild(node)
 
-    def show(self, solution: Solution, stand_ins: Iterable[Any]) -> None:
-        """Show a solution in place of objects."""
+    def show(self, graph: SketchGraph, solution: Solution, stand_ins: Iterable[Any]) -> None:
+        """Show a graph's solution in place of objects."""
         scene = self._scene()
         if scene is None:
             return
         if scene.findChild(self._root) < 0:
             scene.addChild(self._root)
-        self._fill(solution)
+        self._fill(solution, graph.revolutions.values())
         if not self._hidden:
             switches = [obj.ViewObject.SwitchNode for obj in stand_ins]
             # Not by the objects' visibility: that would be an edit of the document.
@@ -80,7 +81,7 @@ class ShapePreview:
         view = view_3d_of(self._document_name)
         return None if view is None else view.getSceneGraph()
 
-    def _fill(self, solution: Solution) -> None:
+    def _fill(self, solution: Solution, revolutions: Iterable[Revolution]) -> None:
         index = {v: k for k, v in enumerate(solution.vertices_mm)}
         points = [x.tolist() for x in solution.vertices_mm.values()]
         lines = [[index[v] for v in ends] for ends in solution.edges.values()]
@@ -90,6 +91,9 @@ class ShapePreview:
             points += ring
         loops = [f.loop for f in solution.faces.values() if f.included]
         faces = [[index[v] for v in loop] for loop in loops if index.keys() >= set(loop)]
+        for rings in _turned(solution, revolutions):
+            faces += _between(rings, len(points))
+            points += [point for ring in rings for point in ring]
         if not np.isfinite(np.array(points)).all():
             return
         set_values(self._points.point, points)
@@ -98,6 +102,32 @@ class ShapePreview:
             self._joined = (faces, lines)
             set_values(self._faces.coordIndex, _ended(faces))
             set_values(self._lines.coordIndex, _ended(lines))
+
+
+def _turned(
+    solution: Solution, revolutions: Iterable[Revolution]
+) -> Iterator[list[list[list[float]]]]:
+    """The rings of each solved surface of revolution, mm; a side still being drawn goes straight
+    on to the top circle."""
+    from ...solver.model import turned_profile
+    from ...solver.solution import SolvedCircle
+
+    for turned in revolutions:
+        circles, side = {turned.bottom, turned.top}, {*turned.profile}
+        if solution.circles.keys() >= circles and solution.vertices_mm.keys() >= side:
+            surface = turned_profile(turned, solution)
+            yield [
+                ring_mm(SolvedCircle(np.array([*surface.axis_mm, height]), radius)).tolist()
+                for radius, height in surface.profile_rz_mm.tolist()
+            ]
+
+
+def _between(rings: list[list[list[float]]], first: int) -> list[list[int]]:
+    """The faces between rings of which the points are counted from `first`."""
+    around = len(rings[0])
+    starts = range(first, first + around * (len(rings) - 1), around)
+    lower = [start + k for start in starts for k in range(around - 1)]
+    return [[k, k + 1, k + 1 + around, k + around] for k in lower]
 
 
 def view_3d_of(document_name: str) -> Any:

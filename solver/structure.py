@@ -115,6 +115,9 @@ def _share(
     """The structure in the chosen axes."""
     edge_axis, edge_across = _edges_on_axes(topology, directions, axes)
     vertical = _vertical_axis(topology, edge_axis, edge_across) if axes else None
+    if vertical is None and axes and topology.circles and len(topology.ground):
+        # Circles lie as the ground does, and nothing says that it is square to an axis.
+        return _share(topology, directions, (), 2)
     vertical = upright if vertical is None else vertical
     coordinate = _share_coordinates(topology, edge_axis, edge_across, vertical)
     edge_axis, edge_across, collapsed = _edges_by_coordinates(topology, coordinate)

@@ -11,7 +11,7 @@ from scenes import LID, box, image_ellipse, photograph, photograph_turned
 from scipy.spatial.transform import Rotation
 
 from incontext.solver import solve
-from incontext.solver.annotations import Diameter
+from incontext.solver.annotations import Diameter, RightAngle
 from incontext.solver.energies.circle import circle_support, ellipse_support
 from incontext.solver.sizes import proportional_diameters
 from incontext.solver.solution import Status
@@ -164,3 +164,22 @@ def test_circles_alone_are_lifted_while_the_side_is_still_to_come():
         solution = solve(fewer)
         assert set(solution.circles) == set(fewer.circles)
         assert solution.camera.rotation_cam_from_world[2, 2] < 0
+
+
+@pytest.mark.parametrize("seed", [6, 13, 28])
+def test_a_circle_lies_as_the_ground_does_where_no_axis_is_known_to_be_square_to_it(seed):
+    photo = photograph(box(180, 130, 150), np.random.default_rng(seed))
+    ring = image_ellipse(photo.camera, np.array([90.0, 65.0, 150.0]), 40.0)
+    # Two of the axes are told by the top alone, the upright ones by corners far from it.
+    corners = {("v7", 3, 4), ("v7", 6, 4), ("v6", 2, 7), ("v0", 3, 4), ("v0", 1, 4)}
+    said = {k: a for k, a in photo.shape.annotations.items() if k in ("ground", "length")}
+    edges = {frozenset(pair): f"e{k}" for k, pair in enumerate(photo.shape.edges)}
+    for v, *ends in sorted(corners):
+        pair = tuple(edges[frozenset((int(v[1:]), end))] for end in ends)
+        said[f"{v}-{ends[0]}"] = RightAngle(v, pair)
+    graph = replace(photo.graph, circles={"c": ring}, annotations=said)
+    solution = solve(graph)
+    assert solution.report.conflicts == ()
+    assert solution.status is Status.UNDERDETERMINED
+    assert solution.report.degrees_of_freedom == 2
+    assert set(solution.report.loose) == {"v5", "c"}

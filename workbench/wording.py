@@ -54,6 +54,8 @@ SENTENCES = (
     "The sketch has no edges: draw the object's edges over the photo.",
     "All vertices lie on one line: draw edges in at least two directions.",
     "No straight edges are seen between the corners, which are taken as they are: place them well.",
+    "No camera takes photos of {} x {} px: where this one was cropped, sizes may be off by some "
+    "percent: use the whole photo, or say where it looked in the photo's camera.",
     "The corners are {} px off any rectangle of this size: check the size, and that it lies flat.",
     "The rectangle is seen too square-on to tell the focal length, which is good to {} % only: "
     "take the photo from lower down, or keep its EXIF data.",

@@ -872,6 +872,10 @@
         <translation>Keine 3D-Form passt zu dieser Zeichnung; bitte die Angaben mit ihr vergleichen.</translation>
     </message>
     <message>
+        <source>No camera takes photos of {} x {} px: where this one was cropped, sizes may be off by some percent: use the whole photo, or say where it looked in the photo's camera.</source>
+        <translation>Keine Kamera macht Fotos von {} x {} px: wurde dieses beschnitten, können Maße um einige Prozent falsch sein: das ganze Foto nehmen oder bei der Kamera des Fotos sagen, wohin es blickte.</translation>
+    </message>
+    <message>
         <source>No face is known yet: close a loop of edges with right angles, or list faces</source>
         <translation>Noch keine Fläche bekannt: einen Kantenzug mit rechten Winkeln schließen oder Flächen nennen</translation>
     </message>

@@ -872,6 +872,10 @@
         <translation>この図に合う 3D の形がありません。注釈を図と見比べてください。</translation>
     </message>
     <message>
+        <source>No camera takes photos of {} x {} px: where this one was cropped, sizes may be off by some percent: use the whole photo, or say where it looked in the photo's camera.</source>
+        <translation>{} x {} px の写真を撮るカメラはありません。切り抜かれた写真なら寸法が数パーセントずれることがあります。元の写真を使うか、写真のカメラで視線の中心を指定してください。</translation>
+    </message>
+    <message>
         <source>No face is known yet: close a loop of edges with right angles, or list faces</source>
         <translation>面がまだありません。直角のある辺の輪を閉じてください</translation>
     </message>

@@ -23,8 +23,10 @@ shape; the new object in the photo; the plates on their sheet, or the print cut 
 prints what was measured. The photos are rendered (`resources/scenes`): so the truth is known.
 """
 NOTES = """Time is the processor's, from nothing. Gestures: a drag for each line and circle, a click
-for each face whose angles are right, and so on; in brackets what it took with real mouse and keys,
-each typed letter counted (a lid like this one). *Measured, true*: existing things, by the sketch.
+for each face whose angles are right, and so on. In brackets what it took with real mouse and keys,
+from an empty sketch, each typed letter counted (a lid like this one on a table; the organizer
+without the notes, its own width given instead; the saucer with the clicks on its marker); the
+others were not replayed. *Measured, true*: existing things, by the sketch.
 """
 
 

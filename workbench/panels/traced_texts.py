@@ -6,11 +6,12 @@ import math
 from typing import TYPE_CHECKING
 
 from .. import host
+from ..cropped_photos import may_be_cropped
 from ..wording import in_language
 
 if TYPE_CHECKING:
     from ...solver.graph import SketchGraph
-    from ...solver.perspective.vanishing_points import TracedLine
+    from ...solver.perspective.vanishing_points import Traced, TracedLine
     from ...solver.solution import Solution
 
 
@@ -26,8 +27,14 @@ def words_of(graph: SketchGraph, solution: Solution) -> tuple[str, str]:
     ranked = sorted(traced.lines.items(), key=lambda item: -item[1].off_px)
     worst, line = ranked[0]
     words = host.translate("InContext", "{0} traced lines, the worst ({1}) {2:.1f} px off.")
-    said = [words.format(len(ranked), worst, line.off_px), *map(in_language, traced.notes)]
+    said = [words.format(len(ranked), worst, line.off_px), *map(in_language, _notes(graph, traced))]
     return " ".join(said), "\n".join(_numbers(*item) for item in ranked)
+
+
+def _notes(graph: SketchGraph, traced: Traced) -> tuple[str, ...]:
+    """Of the lines; and that the photo may be cropped, where these do not tell it."""
+    cropped = any("cropped" in note for note in traced.notes)
+    return traced.notes if cropped else (*traced.notes, *may_be_cropped(graph))
 
 
 def _numbers(edge: str, line: TracedLine) -> str:

@@ -33,6 +33,7 @@ class InContextWorkbench(FreeCADGui.Workbench):
         from incontext.workbench.commands.open_example import register_examples
         from incontext.workbench.commands.tools import register_tools
         from incontext.workbench.panels.preset_page import PresetPage
+        from incontext.workbench.panels.values_page import ValuesPage
 
         names, tools = register_commands(), register_tools()
         ours = host.translate("InContext", "Modeling in &Context")
@@ -44,7 +45,7 @@ class InContextWorkbench(FreeCADGui.Workbench):
         self.appendMenu([ours, sketching], tools)
         self.appendMenu([ours, examples], register_examples())
         FreeCADGui.addIconPath(host.resource("icons"))
-        FreeCADGui.addPreferencePage(host.resource("ui", "preferences.ui"), "Modeling in Context")
+        FreeCADGui.addPreferencePage(ValuesPage, "Modeling in Context")
         FreeCADGui.addPreferencePage(PresetPage, "Modeling in Context")
 
     def Activated(self):  # noqa: N802

@@ -132,6 +132,10 @@
         <translation>Ordner wählen</translation>
     </message>
     <message>
+        <source>{}: not a length, the old one stays.</source>
+        <translation>{}: keine Länge, die alte bleibt.</translation>
+    </message>
+    <message>
         <source>Choose a folder for the fit test</source>
         <translation>Ordner für den Passungstest wählen</translation>
     </message>

@@ -132,6 +132,10 @@
         <translation>フォルダーを選択</translation>
     </message>
     <message>
+        <source>{}: not a length, the old one stays.</source>
+        <translation>{}: 長さではないため、元の値のままです。</translation>
+    </message>
+    <message>
         <source>Choose a folder for the fit test</source>
         <translation>はめあいテストのフォルダーを選択</translation>
     </message>

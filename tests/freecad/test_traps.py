@@ -22,7 +22,7 @@ a spreadsheet's alias `H1`, a sheet called S   here
 references that nobody can follow              here
 `PropertyLength` clamps negatives              here
 property names are ASCII identifiers           test_dimensions: names differ
-`rawValue` in preference pages                 test_window_preferences
+unit fields of preferences keep two decimals   test_window_preferences: speaks inches
 `PrintUserError`, two arguments                here: only what 0.20 has is called
 EXIF orientation                               canvas/test_photo: turned upright
 Qt 6 refuses 256 MB, bombs fill the machine    canvas/test_photo: fill the machine; here

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import FreeCAD
-import FreeCADGui
 import pytest
-from PySide import QtGui
 
 from incontext.workbench import host
 from incontext.workbench.features.plate_set import make_plate_set
 from incontext.workbench.features.properties import PREFERRED_LENGTHS, PREFERRED_TEXTS
 from incontext.workbench.features.shelled_solid import make_shelled_solid
+from incontext.workbench.panels.values_page import ValuesPage, length_mm
 
 
 @pytest.fixture
@@ -25,19 +24,34 @@ def chosen():
 
 
 @pytest.fixture
-def page():
-    loaded = FreeCADGui.PySideUic.loadUi(host.resource("ui", "preferences.ui"))
-    yield loaded
-    loaded.deleteLater()
+def page(chosen):
+    made = ValuesPage()
+    made.loadSettings()
+    yield made
+    made.form.deleteLater()
 
 
 def test_the_page_begins_with_the_properties_own_values(page, shelf, document, chosen):
     shell = make_shelled_solid(document, shelf[1])
-    for name in PREFERRED_LENGTHS:
-        widget = page.findChild(QtGui.QWidget, f"value{name}")
+    for name, field in page.lengths.items():
         obj = shell if name == "Wall" else shelf[2]
-        assert widget.property("rawValue") == getattr(obj, name).Value
-    assert page.findChild(QtGui.QLineEdit, "valuePreset").text() == shelf[2].Preset
+        assert length_mm(field.text()) == getattr(obj, name).Value
+        assert field.text().endswith(" mm")
+    assert page.texts["Preset"].text() == shelf[2].Preset
+
+
+def test_what_is_typed_is_remembered_to_the_last_digit(page, chosen, monkeypatch):
+    told = []
+    monkeypatch.setattr(host, "warn", told.append)
+    page.lengths["Kerf"].setText("0.127")
+    page.lengths["Thickness"].setText("1/8 in")
+    page.lengths["Wall"].setText("thick")
+    page.saveSettings()
+    assert chosen.GetFloat("Kerf", 9) == 0.127
+    assert chosen.GetFloat("Thickness", 9) == 3.175
+    assert chosen.GetFloat("Wall", 9) == 9
+    assert len(told) == 1
+    assert "thick" in told[0]
 
 
 #: FreeCAD's number for inches with decimals.
@@ -59,18 +73,24 @@ def inches():
     FreeCAD.Units.setSchema(before)
 
 
-def test_the_page_speaks_inches_where_freecad_does(inches, page, shelf):
-    for name in PREFERRED_LENGTHS:
-        widget = page.findChild(QtGui.QWidget, f"value{name}")
-        assert widget.property("text").endswith(('"', "in", "''")), name
-    thickness = page.findChild(QtGui.QWidget, "valueThickness")
-    # FreeCAD keeps what it shows, to as many decimals as its own preferences say: usually two.
-    assert thickness.property("rawValue") == pytest.approx(3, abs=0.005 * 25.4)
-    thickness.setProperty("rawValue", 3.175)
-    assert float(thickness.property("text").strip('" in')) == pytest.approx(0.125, abs=0.006)
+def test_the_page_speaks_inches_where_freecad_does(inches, chosen, shelf):
+    chosen.SetFloat("Kerf", 0.15)
+    page = ValuesPage()
+    page.loadSettings()
+    assert page.lengths["Thickness"].text() == "0.11811 in"
+    # OK without a change changes nothing; a number alone is in inches.
+    page.lengths["FingerWidth"].setText("0.5")
+    page.saveSettings()
+    assert chosen.GetFloat("Kerf", 9) == 0.15
+    assert chosen.GetFloat("Thickness", 9) == 9
+    assert chosen.GetFloat("FingerWidth", 9) == 12.7
+    page.lengths["Kerf"].setText("0 in")
+    page.saveSettings()
+    assert chosen.GetFloat("Kerf", 9) == 0
     # The objects' own sizes as well: they are lengths to FreeCAD.
     said = shelf[2].Thickness.UserString
     assert float(said.strip('" in')) == pytest.approx(3 / 25.4, abs=0.006)
+    page.form.deleteLater()
 
 
 def test_new_objects_begin_with_what_is_preferred(shelf, document, chosen):

@@ -222,7 +222,17 @@ def hexagon(**options) -> Model:
     return shapes.model(shapes.prism(slanted.HEXAGON, 70), left_out=("top",), **options)
 
 
+def spire(**options) -> Model:
+    plan = [(0, 0), (60, 40), (120, 0), (130, 70), (60, 100), (0, 60)]
+    loops = {"bottom": [(x, y, 0.0) for x, y in plan]}
+    for n, corner in enumerate(plan):
+        after = plan[(n + 1) % len(plan)]
+        loops[f"s{n}"] = [(*corner, 0.0), (*after, 0.0), (60.0, 62.0, 90.0)]
+    return shapes.model(loops, left_out=("bottom",), **options)
+
+
 PRINTS = {
+    "spire": spire,
     "l box": lambda: shapes.l_box(left_out=("top",)),
     "hexagon": hexagon,
     "shelf": shelf_with_front,

@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 
 _DEFAULTS = ShellSettings()
 _EPS = 1e-6
+_NEAR_MM = 1e-4
 
 
 def shell_solid(model: Model, settings: ShellSettings = _DEFAULTS) -> cq.Shape:
@@ -79,12 +80,12 @@ def shell_solid(model: Model, settings: ShellSettings = _DEFAULTS) -> cq.Shape:
         ]
     except FabricationError as error:
         raise _too_thick(body, wall) from error
-    slabs = [_thick(body, loops, -wall / 2, wall / 2) for loops in body.partitions.values()]
+    slabs = [_partition(body, loops, wall) for loops in body.partitions.values()]
     parts += [slab.intersect(block) for slab in slabs]
     solid = parts[0].fuse(*parts[1:]) if len(parts) > 1 else parts[0]
     for id_ in windows:
         # Beyond the wall on both sides, but not further into the hollow than the wall is thick.
-        solid = solid.cut(_thick(body, body.skin[id_], -wall, wall))
+        solid = solid.cut(_thick([body.points(loop) for loop in body.skin[id_]], -wall, wall))
     return _one_solid(solid.clean() if len(parts) > 1 or windows else solid, block)
 
 
@@ -230,11 +231,50 @@ def _is_window(body: Polyhedron, id_: str) -> bool:
     return False
 
 
-def _thick(body: Polyhedron, loops: Sequence[Loop], low: float, high: float) -> cq.Solid:
-    """A face made thick, from `low` to `high` along its normal."""
-    import cadquery as cq
+def _partition(body: Polyhedron, loops: Sequence[Loop], wall: float) -> cq.Solid:
+    """A partition's wall, long enough to reach the block's surface where it leans on it."""
+    import shapely
 
     rings = [body.points(loop) for loop in loops]
+    normal = _normal(rings[0])
+    along = (rings[0][1] - rings[0][0]) / np.linalg.norm(rings[0][1] - rings[0][0])
+    axes = np.array([along, np.cross(normal, along)])
+    flat = [(ring - rings[0][0]) @ axes.T for ring in rings]
+    outer = shapely.Polygon(flat[0])
+    grown = outer.buffer(wall, join_style="mitre")
+    for a, b, start, end in zip(
+        rings[0], np.roll(rings[0], -1, axis=0), flat[0], np.roll(flat[0], -1, axis=0), strict=True
+    ):
+        if not _on_skin(body, np.array([a, b])):
+            side = shapely.LineString([start, end]).buffer(wall, cap_style="square")
+            grown = grown.difference(side.difference(outer))
+    part = max(shapely.get_parts(grown), key=lambda one: one.area)
+    ring = shapely.get_coordinates(part.exterior)[:-1] @ axes + rings[0][0]
+    return _thick([ring, *rings[1:]], -wall / 2, wall / 2)
+
+
+def _on_skin(body: Polyhedron, ends: Array) -> bool:
+    """Whether an edge lies on the block's surface."""
+    import shapely
+
+    for loops in body.skin.values():
+        rings = [body.points(loop) for loop in loops]
+        normal = _normal(rings[0])
+        if np.abs((ends - rings[0][0]) @ normal).max() > _NEAR_MM:
+            continue
+        along = (rings[0][1] - rings[0][0]) / np.linalg.norm(rings[0][1] - rings[0][0])
+        axes = np.array([along, np.cross(normal, along)])
+        flat = [(ring - rings[0][0]) @ axes.T for ring in rings]
+        middle = (ends.mean(axis=0) - rings[0][0]) @ axes.T
+        if shapely.Polygon(flat[0], flat[1:]).distance(shapely.Point(middle)) < _NEAR_MM:
+            return True
+    return False
+
+
+def _thick(rings: Sequence[Array], low: float, high: float) -> cq.Solid:
+    """A polygon made thick, from `low` to `high` along its normal."""
+    import cadquery as cq
+
     normal = _normal(rings[0])
     start, way = normal * low, normal * (high - low)
     face = _polygon(rings[0] + start, [ring + start for ring in rings[1:]])

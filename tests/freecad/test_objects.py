@@ -1,17 +1,23 @@
 """The document objects, without any window: what is made, and what follows a change."""
 
 import json
+from pathlib import Path
 
 import FreeCAD
+import numpy as np
 import pytest
 
+from incontext.solver import load_sketch, solve
+from incontext.solver.model import turned_profile
 from incontext.workbench.features import pipeline
+from incontext.workbench.features.examples import import_sketch
+from incontext.workbench.features.lifted_model import make_lifted_model
 from incontext.workbench.features.plate_set import plates_of
+
+EXAMPLES = Path(__file__).parents[2] / "resources" / "examples"
 
 
 def test_photo_is_kept_inside_the_document(shelf, shelf_path):
-    from pathlib import Path
-
     sketch, _, _ = shelf
     assert Path(sketch.Photo).read_bytes() == (shelf_path.parent / "shelf.jpg").read_bytes()
 
@@ -32,6 +38,20 @@ def test_plates_are_valid_solids_that_overlap_nowhere(shelf):
     for i, one in enumerate(solids):
         for other in solids[:i]:
             assert one.common(other).Volume == pytest.approx(0, abs=1e-3)
+
+
+def test_a_lifted_lid_is_the_surface_that_its_side_makes(document):
+    """By Pappus: each piece of the side times the way of its middle."""
+    (lid,) = (EXAMPLES / "teapot_lid").glob("*.sketch.json")
+    model = make_lifted_model(document, import_sketch(document, lid))
+    document.recompute()
+    graph = load_sketch(lid)
+    (revolution,) = graph.revolutions.values()
+    profile = turned_profile(revolution, solve(graph)).profile_rz_mm
+    lengths = np.linalg.norm(np.diff(profile, axis=0), axis=1)
+    area = 2 * np.pi * ((profile[1:, 0] + profile[:-1, 0]) / 2) @ lengths
+    assert (model.Status, model.Shape.isValid()) == ("converged", True)
+    assert model.Shape.Area == pytest.approx(area, rel=1e-6)
 
 
 def test_solids_have_the_volume_of_the_outlines(shelf):

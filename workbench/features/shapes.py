@@ -1,7 +1,7 @@
 """FreeCAD shapes of lifted models and plates, built straight from their polygons.
 
-Everything here is flat polygons and straight extrusions, so FreeCAD's own kernel makes them
-exactly, and no shape has to cross over from another one.
+Everything here is flat polygons, straight extrusions and turned polylines, so FreeCAD's own kernel
+makes them exactly, and no shape has to cross over from another one.
 """
 
 from __future__ import annotations
@@ -16,13 +16,13 @@ import Part
 if TYPE_CHECKING:
     from manifold3d import Manifold
 
-    from ...solver.graph import SketchGraph
+    from ...solver.graph import Revolution, SketchGraph
     from ...solver.solution import Solution
     from ..fabrication.plates import Plate
 
 
 def solution_shape(solution: Solution, graph: SketchGraph) -> Any:
-    """A compound of the lifted faces, of the edges that belong to none of them, and of circles.
+    """A compound of the lifted faces, the edges that belong to none of them, circles, and surfaces.
 
     Faces left out and things traced on the photo (construction) are not part of it. Slow methods
     leave faces that are not quite flat: of those the edges are shown.
@@ -42,7 +42,36 @@ def solution_shape(solution: Solution, graph: SketchGraph) -> Any:
         if id_.split("@")[0] not in graph.construction:
             center = FreeCAD.Vector(*(float(x) for x in circle.center_mm))
             parts.append(Part.makeCircle(float(circle.radius_mm), center))
+    for revolution in graph.revolutions.values():
+        if _is_there(revolution, solution):
+            parts.append(_turned_surface(revolution, solution))
     return Part.makeCompound(parts)
+
+
+def _is_there(revolution: Revolution, solution: Solution) -> bool:
+    """Whether all of it is solved; slow methods leave circles out."""
+    circles = {revolution.bottom, revolution.top}
+    return solution.circles.keys() >= circles and solution.vertices_mm.keys() >= {
+        *revolution.profile
+    }
+
+
+def _turned_surface(revolution: Revolution, solution: Solution) -> Any:
+    """A surface of revolution, exact: cones, cylinders and rings; its seam is the drawn side."""
+    import numpy as np
+
+    from ...solver.model import turned_profile
+
+    turned = turned_profile(revolution, solution)
+    x, y = turned.axis_mm.tolist()
+    offsets = [solution.vertices_mm[v][:2] - turned.axis_mm for v in revolution.profile]
+    across = max(offsets, key=np.linalg.norm)
+    turn_deg = float(np.degrees(np.arctan2(across[1], across[0])))
+    rows = turned.profile_rz_mm.tolist()
+    side = Part.makePolygon([FreeCAD.Vector(x + radius, y, height) for radius, height in rows])
+    foot, up = FreeCAD.Vector(x, y, 0), FreeCAD.Vector(0, 0, 1)
+    side.rotate(foot, up, turn_deg)
+    return side.revolve(foot, up, 360)
 
 
 def plates_shape(plates: Iterable[Plate]) -> Any:

@@ -29,8 +29,8 @@ from .strokes import text_strokes, text_width_mm
 TEXT_HEIGHTS_MM = (8.0, 6.0, 5.0, 4.0, 3.0, 2.5)
 #: Between a name and the marks, mm.
 _CLEAR_MM = 1.5
-#: Around a name to the part's border, mm.
-_BORDER_MM = 1.0
+#: Around a name to the part's border and slots, mm: as it looks well, and as it must be.
+_BORDERS_MM = (4.0, 1.0)
 #: Where names are tried, in parts of the bounding box from its middle, the nearest first.
 _TRIED = np.array(
     sorted(
@@ -209,11 +209,12 @@ def _name(text: str, outer: Array, inner: Sequence[Array], marks: Sequence[Array
         for mark in marks:
             low, high = mark.min(axis=0) - _CLEAR_MM, mark.max(axis=0) + _CLEAR_MM
             rooms = rooms[((rooms[:, :2] >= high) | (rooms[:, 2:] <= low)).any(axis=1)]
-        around = rooms + np.array([-1.0, -1.0, 1.0, 1.0]) * _BORDER_MM
-        fitting = np.flatnonzero(shapely.contains(area, shapely.box(*around.T)))
-        if len(fitting):
-            x, y = rooms[fitting[0], :2].tolist()
-            return text_strokes(text, (x, y), height)
+        for border in _BORDERS_MM:
+            around = rooms + np.array([-1.0, -1.0, 1.0, 1.0]) * border
+            fitting = np.flatnonzero(shapely.contains(area, shapely.box(*around.T)))
+            if len(fitting):
+                x, y = rooms[fitting[0], :2].tolist()
+                return text_strokes(text, (x, y), height)
     return []
 
 

@@ -48,6 +48,8 @@ UNSURE = " Its sizes are unsure: mark more, give a length, or trace something re
 UNTOLD_FOCAL = " The drawing does not tell the focal length: a usual one is assumed."
 #: A camera this part of its height off is worth a word.
 NEARLY_AGREE = 1e-3
+#: People notice where a drawing is missed by this (RMS, parts of its diagonal).
+NOTICEABLE = 0.005
 #: A drawing further than this from every shape (image units, RMS) was not understood.
 LOST_MISFIT = 0.25
 
@@ -177,7 +179,7 @@ def _verdict(
         return (
             Status.CONVERGED,
             "Solved, with what is drawn nearly square taken to be square: mark right angles where "
-            "it is.",
+            f"it is.{_missed(lifted, rms)}",
         )
     if lifted.focal_assumed:
         return (
@@ -194,6 +196,12 @@ def _against_the_side(graph: SketchGraph, placed: Placed) -> str:
     px = float(np.sqrt(np.mean([off[v] ** 2 for v in sides])))
     which = " or ".join(placed.wished)
     return f"Solved, but {which} contradicts the drawing, which is missed by {px:.0f} px."
+
+
+def _missed(lifted: Lifted, rms: float) -> str:
+    """How far the drawing is missed, where people would notice it."""
+    px = rms * drawn_diagonal(lifted.problem) * lifted.problem.px_per_unit
+    return f" The drawing is missed by {px:.0f} px." if rms > NOTICEABLE else ""
 
 
 def _are_sizes(graph: SketchGraph, ids: tuple[str, ...]) -> bool:

@@ -12,11 +12,13 @@ from scenes import SHAPES, box, l_shape, photograph
 from incontext.solver import solve
 from incontext.solver.annotations import RightAngle
 from incontext.solver.effort import Effort
+from incontext.solver.lifting import lift
 from incontext.solver.problem import build_problem
 from incontext.solver.solution import Status
 from incontext.solver.starting.guessing import guesses
 from incontext.solver.structure import build_structure
 from incontext.solver.synthetic import organizer, staircase, table
+from incontext.solver.telling import describe
 
 
 def sparse(make, seed: int, part: float, noise: float = 0.0):
@@ -103,3 +105,12 @@ def test_the_work_of_a_solve_is_limited():
     while not effort():
         calls += 1
     assert 10 < calls < 200
+
+
+@pytest.mark.parametrize(("noise", "told"), [(0.02, True), (0.001, False)])
+def test_how_far_a_guess_misses_the_drawing_is_told(noise, told):
+    graph = photograph(box(), np.random.default_rng(1), noise=noise).graph
+    lifted = lift(graph, build_structure(graph), None)
+    solution = describe(graph, graph, replace(lifted, as_guessed=True))
+    assert "nearly square taken to be square" in solution.message
+    assert ("The drawing is missed by" in solution.message) == told

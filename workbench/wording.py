@@ -23,6 +23,7 @@ SENTENCES = (
     "Solved, with a usual focal length assumed: the drawing does not tell it.",
     "Solved, with what is drawn nearly square taken to be square: mark right angles where it is.",
     "Solved, but the drawing is missed by {} px: check the annotations against it.",
+    "The drawing is missed by {} px.",
     "Solved, but the drawing is missed by {} px: check {}.",
     "Solved, but a second shape, with near and far exchanged, fits as well: mark what stands on "
     "the ground, or ask for the twin.",

@@ -1208,6 +1208,10 @@
         <translation>Gelöst, aber von unten gesehen: bitte die Bodenpunkte prüfen.</translation>
     </message>
     <message>
+        <source>The drawing is missed by {} px.</source>
+        <translation>Die Zeichnung wird um {} px verfehlt.</translation>
+    </message>
+    <message>
         <source>Solved, but the drawing is missed by {} px: check the annotations against it.</source>
         <translation>Gelöst, aber die Zeichnung wird um {} px verfehlt: bitte die Angaben mit ihr vergleichen.</translation>
     </message>

@@ -1208,6 +1208,10 @@
         <translation>解けましたが下から見ています。地面の頂点を確認してください。</translation>
     </message>
     <message>
+        <source>The drawing is missed by {} px.</source>
+        <translation>線画と {} px ずれています。</translation>
+    </message>
+    <message>
         <source>Solved, but the drawing is missed by {} px: check the annotations against it.</source>
         <translation>解けましたが、線画と {} px ずれています。注釈を線画と見比べてください。</translation>
     </message>

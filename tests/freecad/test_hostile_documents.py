@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import random
+import re
 import zipfile
 from xml.sax.saxutils import quoteattr
 
@@ -89,6 +91,38 @@ def test_a_sketch_too_large_to_be_one_is_refused_in_words(shelf, document):
     document.recompute()
     assert sketch.Status == "unreadable"
     assert "50 MB" in sketch.Message
+    assert plates.Shape.Volume == volume
+
+
+def too_many_edges(text):
+    body = json.loads(text)
+    body["vertices"] = {f"v{k}": [k % 800, k % 600] for k in range(20_002)}
+    body["edges"] = {f"e{k}": [f"v{k}", f"v{k + 1}"] for k in range(20_001)}
+    return json.dumps(body)
+
+
+def endless_brackets(text):
+    return text.replace('"version": 1', f'"version": {100_000 * "["}')
+
+
+def no_number(text):
+    return text.replace('"version": 1', '"version": 1e999')
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [(too_many_edges, "20,?000"), (endless_brackets, "nested"), (no_number, "version")],
+)
+def test_each_limit_holds_in_a_document_too(shelf, document, change, words):
+    """As `test_limits` has them for files."""
+    sketch, _, plates = shelf
+    volume, text = plates.Shape.Volume, change(sketch.Sketch)
+    assert text != sketch.Sketch
+    sketch.Sketch = text
+    document.recompute()
+    assert sketch.Status == "unreadable"
+    assert re.search(words, sketch.Message), sketch.Message
+    assert "\n" not in sketch.Message
     assert plates.Shape.Volume == volume
 
 

@@ -30,6 +30,7 @@ from .diagnosis import (
 )
 from .errors import SketchError
 from .faces import awaited_faces
+from .full import held_at_last
 from .graph import SketchGraph
 from .lifting import UNSURE_FOCAL_SIGMA, Lifted
 from .placed import Placed, put_in_world
@@ -69,7 +70,7 @@ def describe(
     blamed : Blame, optional
         What keeps annotations and drawing apart.
     """
-    pose = lifted.minimum.x
+    pose = held_at_last(lifted.full, lifted.minimum.x)
     drawn = lifted.drawn
     shown = None if drawn is None else pose_in(lifted.problem, drawn.full, drawn.minimum.x)
     placed = put_in_world(graph, core, lifted.full, pose, shown)

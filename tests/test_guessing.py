@@ -114,3 +114,11 @@ def test_how_far_a_guess_misses_the_drawing_is_told(noise, told):
     solution = describe(graph, graph, replace(lifted, as_guessed=True))
     assert "nearly square taken to be square" in solution.message
     assert ("The drawing is missed by" in solution.message) == told
+
+
+@pytest.mark.parametrize(("make", "seed"), [(organizer, 2), (staircase, 0)])
+def test_singular_right_angles_hold_to_the_last_digits(make, seed):
+    _, graph = sparse(make, seed, 0.6, noise=0.005)
+    solution = solve(graph)
+    assert solution.status is Status.CONVERGED
+    assert max(r.value for r in solution.report.residuals.values()) < 1e-11

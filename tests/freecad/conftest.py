@@ -86,7 +86,7 @@ def photo_path(shelf_path):
 @pytest.fixture
 def person(window, hands, document, photo_path, monkeypatch):
     """A person before the tab of a new sketch over a photo."""
-    from incontext.tests.freecad.hands import Person, pump
+    from incontext.tests.freecad.hands import Person, pump, wait_until
     from incontext.workbench.panels import asking
     from incontext.workbench.panels.open_tabs import open_tabs
 
@@ -95,6 +95,7 @@ def person(window, hands, document, photo_path, monkeypatch):
     person.push("InContext_NewSketch")
     # The file's name, clicked twice.
     person.gestures += 1
+    wait_until(open_tabs)
     pump(0.5)
     person.view = open_tabs()[0].tab.view
     return person

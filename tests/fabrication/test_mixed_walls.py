@@ -2,7 +2,7 @@
 
 import pytest
 from fabrication import shapes
-from hunting import broken_print
+from fabrication.print_laws import broken_print
 
 from incontext.workbench.fabrication import ShellSettings, shell_solid
 from incontext.workbench.fabrication.mixed_walls import mixed_wall

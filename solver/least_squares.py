@@ -310,8 +310,10 @@ def _few_rows(h: Array, H: Array) -> tuple[Array, Array]:
     """No more rows than unknowns that say the same: with H = Q R, R and Q^T h."""
     if len(h) <= H.shape[1] or not bool(np.isfinite(H).all()):
         return h, H
-    Q, R = np.linalg.qr(H)
-    return np.asarray(Q.T @ h), np.asarray(R)
+    # As one more column, h becomes Q^T h, and Q is not needed.
+    n = H.shape[1]
+    R = np.linalg.qr(np.column_stack([H, h]), mode="r")
+    return np.asarray(R[:n, n]), np.asarray(R[:n, :n])
 
 
 def smallest_step(h: Array, H: Array) -> Array:
@@ -319,6 +321,10 @@ def smallest_step(h: Array, H: Array) -> Array:
     k, n = H.shape
     if n <= MAX_DENSE:
         return np.asarray(-np.linalg.lstsq(H, h, rcond=1e-9)[0])
+    if k > n:
+        # So many rows leave nothing that is sparse.
+        few, rows = _few_rows(h, H)
+        return np.asarray(-np.linalg.lstsq(rows, few, rcond=1e-9)[0])
     # Rows that say the same are told apart by a little slack; repeated steps do the rest.
     rows = csc_array(H)
     slack = 1e-12 * float(np.abs(H).max(initial=1.0)) ** 2

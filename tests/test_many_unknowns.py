@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+import pytest
 from asserts import assert_annotations_hold, assert_solved
 
 from incontext.solver import solve
@@ -38,11 +39,13 @@ def _is_tread(p, q) -> bool:
     return abs(p - q)[0] == 60.0 and not (p - q)[1:].any()
 
 
-def test_the_smallest_step_with_rows_that_say_the_same():
+@pytest.mark.parametrize("times", [1, 20])
+def test_the_smallest_step_with_rows_that_say_the_same(times):
+    """Fewer rows than unknowns, and more of them."""
     rng = np.random.default_rng(3)
     n = MAX_DENSE + 30
     H = rng.normal(size=(20, n))
-    H = np.vstack([H, H[:5], 2 * H[5:7]])
+    H = np.vstack([H, H[:5], 2 * H[5:7], np.tile(H, (times - 1, 1))])
     x = rng.normal(size=n)
     step = smallest_step(H @ x, H)
     np.testing.assert_allclose(H @ (x + step), 0.0, atol=1e-8)

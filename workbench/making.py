@@ -155,7 +155,7 @@ def _plate_files(joined: Joined, settings: PlateSettings, order: Order) -> dict[
     from .fabrication.plates_json import plates_json_bytes
     from .fabrication.presets import load_preset
     from .fabrication.sheets import lay_out
-    from .fabrication.step_file import plates_step_bytes
+    from .fabrication.solids import plates_step_bytes
     from .fabrication.svg import svg_bytes
 
     name, plates, preset = order.name, joined.plates, load_preset(order.shop.preset)

@@ -1,4 +1,4 @@
-"""Plates as solids in the world, and any solid as STEP. The raw kernel is here and in the shell.
+"""Plates as solids in the world, and STEP. The only home of the raw kernel besides the shell.
 
 One prism a plate from its finished outline: cutting fingers one by one takes a thousand times as
 long.
@@ -6,11 +6,12 @@ long.
 
 from __future__ import annotations
 
+import itertools
 import re
 import tempfile
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ...solver.values import Array
 from .errors import FabricationError
@@ -68,15 +69,75 @@ def assemble(plates: Sequence[Plate]) -> cq.Compound:
     return cq.Compound.makeCompound([plate_solid(plate) for plate in plates])
 
 
-def shape_step_bytes(shape: cq.Shape, name: str = "solid") -> bytes:
-    """A shape as STEP: the same bytes for the same shape."""
-    import cadquery as cq
+def plates_step_bytes(plates: Sequence[Plate], name: str = "plates") -> bytes:
+    """The plates put together as STEP: an assembly, each plate a part by its own name."""
+    from OCP.TDataStd import TDataStd_Name
+    from OCP.TopLoc import TopLoc_Location
 
+    document, tool = _document()
+    whole = tool.NewShape()
+    TDataStd_Name.Set_s(whole, _words(name))
+    for plate in plates:
+        part = tool.AddShape(plate_solid(plate).wrapped, False)
+        for label in (part, tool.AddComponent(whole, part, TopLoc_Location())):
+            TDataStd_Name.Set_s(label, _words(plate.id))
+    tool.UpdateAssemblies()
+    return _step_bytes(document)
+
+
+def shape_step_bytes(shape: cq.Shape, name: str = "solid") -> bytes:
+    """A shape as STEP."""
+    from OCP.TDataStd import TDataStd_Name
+
+    document, tool = _document()
+    TDataStd_Name.Set_s(tool.AddShape(shape.wrapped, False), _words(name))
+    return _step_bytes(document)
+
+
+def _document() -> tuple[Any, Any]:
+    """A document of the kernel's, without colours: it writes those in another order each time.
+
+    An assembly of cadquery takes every letter of a name but the plain ones for two.
+    """
+    from OCP.TDocStd import TDocStd_Document
+    from OCP.XCAFDoc import XCAFDoc_DocumentTool
+
+    document = TDocStd_Document(_words("XmlXCAF"))
+    return document, XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
+
+
+def _words(text: str) -> Any:
+    from OCP.TCollection import TCollection_ExtendedString
+
+    return TCollection_ExtendedString(text, True)
+
+
+def _step_bytes(document: Any) -> bytes:
+    from OCP.IFSelect import IFSelect_RetDone
+    from OCP.Interface import Interface_Static
+    from OCP.STEPCAFControl import STEPCAFControl_Writer
+    from OCP.STEPControl import STEPControl_StepModelType
+
+    writer = STEPCAFControl_Writer()
+    writer.SetNameMode(True)
+    # Curves on surfaces are a third of the file, and planes need none.
+    Interface_Static.SetIVal_s("write.surfacecurve.mode", 0)
+    Interface_Static.SetCVal_s("write.step.unit", "MM")
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "out.step"
-        # Curves on surfaces are a third of the file, and planes need none.
-        cq.Assembly(shape, name=name).export(str(path), exportType="STEP", write_pcurves=False)
-        if not path.is_file():
+        written = writer.Transfer(document, STEPControl_StepModelType.STEPControl_AsIs)
+        if not written or writer.Write(str(path)) != IFSelect_RetDone:
             raise FabricationError("the STEP file could not be written", (), "another format")
         text = path.read_bytes()
-    return re.sub(rb"'\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d'", b"'2000-01-01T00:00:00'", text)
+    return _without_chance(text)
+
+
+def _without_chance(text: bytes) -> bytes:
+    """The same STEP text for the same shapes: no time of writing, no count of earlier files."""
+    numbers = itertools.count(1)
+    text = re.sub(rb"'\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d'", b"'2000-01-01T00:00:00'", text)
+    return re.sub(
+        rb"(NEXT_ASSEMBLY_USAGE_OCCURRENCE\(')\d+'",
+        lambda found: found[1] + str(next(numbers)).encode() + b"'",
+        text,
+    )

@@ -63,7 +63,7 @@ def plate_file(plate_set: Any, sheets: Sequence[Sheet], ending: str) -> bytes:
     from ..fabrication.pdf import pdf_bytes
     from ..fabrication.plates_json import plates_json_bytes
     from ..fabrication.presets import load_preset
-    from ..fabrication.step_file import plates_step_bytes
+    from ..fabrication.solids import plates_step_bytes
     from ..fabrication.svg import svg_bytes
 
     shop, plates = shop_settings_of(plate_set), joined_of(plate_set).plates

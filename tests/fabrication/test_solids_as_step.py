@@ -14,7 +14,7 @@ from OCP.XCAFDoc import XCAFDoc_DocumentTool, XCAFDoc_ShapeTool
 
 from incontext.workbench.fabrication import assemble, make_plates
 from incontext.workbench.fabrication.plates import Plate
-from incontext.workbench.fabrication.step_file import plates_step_bytes
+from incontext.workbench.fabrication.solids import plates_step_bytes
 
 
 def read(data, tmp_path):

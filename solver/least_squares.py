@@ -312,8 +312,8 @@ def _few_rows(h: Array, H: Array) -> tuple[Array, Array]:
         return h, H
     # As one more column, h becomes Q^T h, and Q is not needed.
     n = H.shape[1]
-    R = np.linalg.qr(np.column_stack([H, h]), mode="r")
-    return np.asarray(R[:n, n]), np.asarray(R[:n, :n])
+    R = np.asarray(np.linalg.qr(np.column_stack([H, h]), mode="r"))
+    return R[:n, n], R[:n, :n]
 
 
 def smallest_step(h: Array, H: Array) -> Array:

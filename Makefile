@@ -21,7 +21,7 @@ READY := $(VENV)/.ready
 RUN_PACKAGES := freecad python3-venv
 TEST_PACKAGES := xvfb xauth openbox xdotool imagemagick \
 	inkscape python3-lxml python3-numpy python3-cssselect python3-tinycss2 librecad prusa-slicer admesh \
-	poppler-utils librsvg2-bin
+	poppler-utils librsvg2-bin gmsh
 MATRIX_PACKAGES := debootstrap python3-numpy python3-scipy
 SUDO := $(if $(filter-out 0,$(shell id -u)),sudo)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import importlib
+import shutil
 import warnings
 
 import FreeCAD
@@ -103,3 +104,24 @@ def test_a_milling_job_takes_the_plates_and_follows(shelf, document):
         plates.Thickness = 4
         document.recompute()
     assert model.Shape.Volume == pytest.approx(plates.Shape.Volume)
+
+
+@pytest.mark.skipif(shutil.which("gmsh") is None, reason="no gmsh beside this FreeCAD")
+def test_a_plate_is_meshed_for_finite_elements(shelf, document):
+    _, _, plates = shelf
+    tools, objects = made_by("femmesh.gmshtools"), made_by("ObjectsFem")
+    plate = document.addObject("Part::Feature", "OnePlate")
+    plate.Shape = plates.Shape.Solids[0]
+    mesh = objects.makeMeshGmsh(document, "Mesh")
+    setattr(mesh, "Shape" if hasattr(mesh, "Shape") else "Part", plate)
+    mesh.CharacteristicLengthMax = 20.0
+    mesh.ElementOrder = "1st"
+    document.recompute()
+    tools.GmshTools(mesh).create_mesh()
+    places, elements = mesh.FemMesh.Nodes, mesh.FemMesh.Volumes
+    assert len(elements) > 100
+    whole = 0.0
+    for element in elements:
+        a, b, c, d = (places[node] for node in mesh.FemMesh.getElementNodes(element))
+        whole += abs((b - a).cross(c - a).dot(d - a)) / 6
+    assert whole == pytest.approx(plate.Shape.Volume, rel=1e-6)

@@ -10,7 +10,7 @@ from functools import partial
 from .values import Progress, Stop
 
 #: A solve ends after so much work.
-MAX_EFFORT = 3000.0
+MAX_EFFORT = 2000.0
 #: An iteration costs a little by itself, and more with the square of its unknowns and conditions.
 ITERATION, BY_SIZE = 0.3, 1.5e-4
 #: The same where all else is eliminated beforehand, as where parts float.

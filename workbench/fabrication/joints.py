@@ -291,11 +291,6 @@ class JointPlan:
             )
         return True
 
-    def has_corner(self, edge_ids: Iterable[str]) -> bool:
-        """Whether two plates end on one another in one of these edges."""
-        wanted = set(edge_ids)
-        return any(j.meeting.form == "L" and wanted & {*j.meeting.edge_ids} for j in self.joints)
-
     def check_used(self) -> None:
         """Refuse choices that concern no joint, by their names."""
         unused = [choice.where for choice in self.choices if choice not in self._used]

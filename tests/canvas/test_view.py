@@ -256,14 +256,14 @@ def test_length_is_typed_over_its_edge(view):
 
 def test_empty_sketch_says_what_to_do_until_something_is_begun(view):
     view.set_graph(SketchGraph())
-    view.invitation = ""
+    view.painting.invitation = ""
     bare = view.grab().toImage()
-    view.invitation = "Draw something"
+    view.painting.invitation = "Draw something"
     assert view.grab().toImage() != bare
     view.use_tool("line")
     click(view, QtCore.QPoint(30, 30))
     invited = view.grab().toImage()
-    view.invitation = ""
+    view.painting.invitation = ""
     assert view.grab().toImage() == invited
 
 
@@ -290,9 +290,9 @@ def in_hand(view):
         mouse(view, QtCore.QEvent.MouseMove, place + offset, Qt.NoButton)
         assert view.is_in_hand
         fast = view.grab().toImage()
-        layer, view._still_lines = view._still_lines, lambda painter, scene: None
+        layer, view.painting._still_lines = view.painting._still_lines, lambda *_: None
         slow = view.grab().toImage()
-        view._still_lines = layer
+        view.painting._still_lines = layer
         places = [(x, y) for x in range(fast.width()) for y in range(fast.height())]
         lights = ([image.pixelColor(*p).lightness() for p in places] for image in (fast, slow))
         # Where lines cross, another one may lie above.
@@ -304,9 +304,9 @@ def in_hand(view):
 
 def test_what_stands_still_is_painted_as_ever_while_something_is_dragged(view, in_hand):
     assert in_hand(QtCore.QPoint(15, -10)) < 0.001
-    picture = view._still._picture
+    picture = view.painting._still._picture
     assert in_hand(QtCore.QPoint(17, -12)) < 0.001
-    assert view._still._picture is picture
+    assert view.painting._still._picture is picture
     view.zoom_by(1.3)
     assert in_hand(QtCore.QPoint(19, -14)) < 0.001
-    assert view._still._picture is not picture
+    assert view.painting._still._picture is not picture

@@ -145,9 +145,9 @@ def test_suggestions_are_ghosts_until_a_click_or_a_key_takes_them(panel, control
     offered, said = view.suggestions, set(view.graph.annotations)
     assert said == set(less)
     assert panel._suggested.isVisible()
-    ghost = next(g for g in view._ghosts._painted if isinstance(g.suggestion, RightAngle))
+    ghost = next(g for g in view.painting.ghosts._painted if isinstance(g.suggestion, RightAngle))
     hands.move(view.viewport().mapToGlobal(QtCore.QPoint(*map(round, ghost.handles[0]))))
-    assert view._ghosts.lit == ghost.suggestion
+    assert view.painting.ghosts.lit == ghost.suggestion
     hands._do("click", "1")
     assert len(view.graph.annotations) == len(said) + 1
     controller.undo()
@@ -163,12 +163,12 @@ def test_a_loop_that_is_nearly_flat_becomes_a_face_by_a_click(controller, hands)
     """Gables whose peaks nothing holds: no plate would be made of them."""
     view = controller.tab.view
     controller.write(loose_house(0.004, slope_told=False), "House")
-    wait_until(lambda: len(view._ghosts._painted) == len(GABLES))
+    wait_until(lambda: len(view.painting.ghosts._painted) == len(GABLES))
     assert controller.models[0].Status == "underdetermined"
     view.fit()
     # The tab may still be finding its size; places are those of the last painting.
     pump(0.5)
-    (place, *_) = view._ghosts._painted[0].handles
+    (place, *_) = view.painting.ghosts._painted[0].handles
     hands.click(view.viewport().mapToGlobal(QtCore.QPoint(*map(round, place))))
     wait_until(lambda: controller.models[0].Status == "converged" and view.suggestions)
     hands.press("y")

@@ -119,12 +119,12 @@ def test_keys_take_tools_and_the_buttons_show_it(person):
 def test_parameter_numbers_are_shown_by_a_key_and_by_a_button(person):
     person.press("r")
     person.drag(person.at("t0"), person.at("g1"))
-    assert person.view.numbers.of(person.view.graph) == {}
+    assert person.view.painting.numbers.of(person.view.graph) == {}
     person.press("n")
     # The fourth corner follows from the others.
-    assert sorted(person.view.numbers.of(person.view.graph).values())[0] == 0
+    assert sorted(person.view.painting.numbers.of(person.view.graph).values())[0] == 0
     person.push("InContext_Numbers")
-    assert person.view.numbers.of(person.view.graph) == {}
+    assert person.view.painting.numbers.of(person.view.graph) == {}
 
 
 def test_the_button_makes_construction_of_what_is_selected(person, document):
@@ -200,7 +200,7 @@ def test_empty_sketch_says_what_to_do_and_each_tool_what_comes_next(person):
     from incontext.workbench.panels.open_tabs import open_tabs
 
     tab = open_tabs()[0].tab
-    assert "press L" in person.view.invitation
+    assert "press L" in person.view.painting.invitation
     person.press("l")
     assert any("start of the line" in label.text() for label in tab.findChildren(QtGui.QLabel))
     person.click("t0")

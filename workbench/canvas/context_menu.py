@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -11,21 +11,25 @@ from .tools import TOOLS
 
 if TYPE_CHECKING:
     from .tool_at_work import ToolAtWork
-    from .view import SketchView
 
 #: In the editor's language, the key, and what it does.
 Entry = tuple[str, str, Callable[[], None]]
 
 
-def open_menu(view: SketchView, drawing: ToolAtWork, at: QtCore.QPoint) -> QtGui.QMenu:
-    """Open the menu at a place on the screen; the view goes on working behind it."""
+def open_menu(
+    view: QtGui.QWidget,
+    parts: Iterable[Iterable[Entry]],
+    in_words: Callable[[str], str],
+    at: QtCore.QPoint,
+) -> QtGui.QMenu:
+    """Open a menu at a place on the screen, with a line between its parts; the view goes on."""
     menu = QtGui.QMenu(view)
     menu.setAttribute(QtCore.Qt.WA_DeleteOnClose)
-    for entries in (_about_selection(drawing), _always(view, drawing)):
+    for entries in parts:
         menu.addSeparator()
         for words, key, act in entries:
             key = QtGui.QKeySequence(key).toString(QtGui.QKeySequence.NativeText)
-            action = menu.addAction(f"{view.in_words(words)}\t{key}")
+            action = menu.addAction(f"{in_words(words)}\t{key}")
             action.triggered.connect(partial(_without_arguments, act))
     menu.popup(at)
     return menu
@@ -36,7 +40,7 @@ def _without_arguments(act: Callable[[], None], *_: object) -> None:
     act()
 
 
-def _about_selection(drawing: ToolAtWork) -> Iterator[Entry]:
+def about_selection(drawing: ToolAtWork) -> Iterator[Entry]:
     """What can be done with what is selected."""
     chosen, length = drawing.selection, TOOLS["length"]
     if drawing.tool.size_meant() is not None:
@@ -50,10 +54,17 @@ def _about_selection(drawing: ToolAtWork) -> Iterator[Entry]:
         yield "Delete", "Delete", drawing.delete
 
 
-def _always(view: SketchView, drawing: ToolAtWork) -> Iterator[Entry]:
-    """What can be done at any time."""
-    if view.suggestions:
-        yield "Take suggestions", "Y", view.take_suggestions
+def about_sketch(drawing: ToolAtWork) -> Iterator[Entry]:
+    """What can be done with the sketch as a whole."""
     if drawing.graph.vertices or drawing.graph.circles:
         yield "Select all", "Ctrl+A", drawing.select_all
-    yield "Whole photo", "F", view.fit
+
+
+def about_suggestions(take: Callable[[], None]) -> Iterator[Entry]:
+    """What can be done with suggestions where there are any."""
+    yield "Take suggestions", "Y", take
+
+
+def about_photo(fit: Callable[[], None]) -> Iterator[Entry]:
+    """What can be done with the photo."""
+    yield "Whole photo", "F", fit

@@ -4,27 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from itertools import chain
 from typing import TYPE_CHECKING
 
-from . import keys, overlay, previews, style, symbols, turning
-from .context_menu import open_menu
+from . import context_menu, keys, style
 from .drawing import Listener
 from .evident import taken
 from .extent import sketch_size
-from .ghosts import Ghosts
-from .grid_painting import paint_grid, paint_note
 from .key_cursor import KeyCursor
 from .length_editor import LengthEditor
-from .lift_painting import paint_lift
-from .lifted import LiftedView
-from .marks import length_text
-from .numbers import Numbers
 from .photo_view import ZOOM_STEP, PhotoView
 from .qt import QtCore, QtGui, position_of
 from .questions import Question
-from .scene import Findings, Scene
+from .scene import Findings
 from .selection import Selection
-from .still_layer import StillLayer
+from .sketch_painting import SketchPainting
 from .stops import place_of
 from .tool_at_work import ToolAtWork
 from .tools import KEYS
@@ -35,6 +29,7 @@ if TYPE_CHECKING:
     from ...solver.graph import Point, SketchGraph
     from .attraction import Attraction
     from .evident import Suggestion
+    from .lifted import LiftedView
     from .questions import KnownRectangle
     from .solved import Solved
 
@@ -81,27 +76,23 @@ class SketchView(PhotoView):
         parent: QtGui.QWidget | None = None,
     ) -> None:
         super().__init__(parent)
-        #: What is said in the middle of an empty sketch.
-        self.invitation = ""
-        #: Puts a word into the person's language.
-        self.in_words: Callable[[str], str] = str
-        #: How many parameters each vertex has.
-        self.numbers = Numbers()
-        self._findings = Findings()
         self._hint = ""
-        self._lifted = LiftedView()
-        self._ghosts = Ghosts()
-        self._still = StillLayer()
         self._told: tuple[SketchGraph, Selection] = (graph, Selection())
         listener = Listener(
             self.graph_edited.emit, self._refresh, self._ask, self.rectangle_told.emit
         )
         self._drawing = ToolAtWork(graph, listener)
         self._cursor = KeyCursor(self._drawing)
+        #: What is shown with the sketch, and in which language.
+        self.painting = SketchPainting(self._drawing, self._cursor)
         self._drawing.attraction.patch = self.grey_around
         self._editor = LengthEditor(self.viewport(), self._drawing.answer)
         self._refresh()
         self.set_photo(image, sketch_size(graph))
+
+    def in_words(self, words: str) -> str:
+        """Words in the person's language."""
+        return self.painting.in_words(words)
 
     @property
     def graph(self) -> SketchGraph:
@@ -119,18 +110,18 @@ class SketchView(PhotoView):
 
     def set_findings(self, loose: tuple[str, ...], conflicts: tuple[str, ...]) -> None:
         """Show which vertices are not held yet, and which annotations disagree."""
-        self._findings = Findings(frozenset(loose), frozenset(conflicts))
+        self.painting.findings = Findings(frozenset(loose), frozenset(conflicts))
         self.viewport().update()
 
     def set_lifted(self, lifted: LiftedView) -> None:
         """Show where the lifted shape lies in the photo."""
-        self._lifted = lifted
+        self.painting.lifted = lifted
         self.viewport().update()
 
     @property
     def lifted(self) -> LiftedView:
         """Where the lifted shape lies in the photo."""
-        return self._lifted
+        return self.painting.lifted
 
     def set_rectangle(self, rectangle: KnownRectangle | None) -> None:
         """Take what on the ground tells the camera, to be shown and dragged by its tool."""
@@ -157,11 +148,11 @@ class SketchView(PhotoView):
     @property
     def suggestions(self) -> tuple[Suggestion, ...]:
         """What the lift makes evident, for a person to take."""
-        return self._ghosts.suggestions
+        return self.painting.ghosts.suggestions
 
     def set_suggestions(self, suggestions: tuple[Suggestion, ...]) -> None:
         """Show as ghosts what the lift makes evident."""
-        self._ghosts.offer(self.graph, suggestions)
+        self.painting.ghosts.offer(self.graph, suggestions)
         self.viewport().update()
 
     def take_suggestions(self, suggestions: tuple[Suggestion, ...] | None = None) -> None:
@@ -183,7 +174,7 @@ class SketchView(PhotoView):
     @property
     def findings(self) -> Findings:
         """Which vertices are not held yet, and which annotations disagree."""
-        return self._findings
+        return self.painting.findings
 
     def set_solved(self, solved: Solved | None) -> None:
         """Take the last good solution: for faces, the camera and what is hidden."""
@@ -195,7 +186,7 @@ class SketchView(PhotoView):
 
     def toggle_numbers(self) -> None:
         """Show how many parameters each vertex has, or no longer."""
-        self.numbers.toggle()
+        self.painting.numbers.toggle()
         self.helpers_changed.emit()
         self.viewport().update()
 
@@ -242,68 +233,17 @@ class SketchView(PhotoView):
             self.hint_changed.emit(self._hint)
         (graph, selection), self._told = self._told, (self.graph, self.selection)
         if graph is not self.graph:
-            self._ghosts.follow(self.graph)
+            self.painting.ghosts.follow(self.graph)
             self.graph_shown.emit(self.graph)
         if selection != self.selection:
             self.selection_changed.emit(self.selection)
 
     def drawForeground(self, painter: QtGui.QPainter, area: QtCore.QRectF) -> None:  # noqa: N802
         """Paint the sketch, in screen px."""
-        graph, on_screen = self.graph, self._way_to_screen()
-        screen = {v: on_screen(point) for v, point in graph.vertices.items()}
-        circles = {
-            c: symbols.ellipse(tuple(map(on_screen, drawn.a)), tuple(map(on_screen, drawn.b)))
-            for c, drawn in graph.circles.items()
-        }
         painter.save()
         painter.resetTransform()
-        self._paint_grid(painter, on_screen)
-        paint_lift(painter, self._lifted, on_screen)
-        rings = tuple(tuple(map(on_screen, line)) for line in turning.rings_of(graph))
-        numbers, findings = self.numbers.of(graph), self._findings
-        mirrored = {v: on_screen(place) for v, place in self._lifted.mirrored.items()}
-        scene = Scene(
-            graph,
-            self._drawing.marks,
-            screen,
-            circles,
-            findings,
-            rings,
-            numbers,
-            mirrored=mirrored,
-        )
-        work = previews.Work(
-            self._drawing.preview, self._drawing.selection, on_screen, self.in_words
-        )
-        previews.paint_below(painter, scene, work)
-        overlay.paint(painter, scene, self._still_lines(painter, scene))
-        self._ghosts.paint(painter, scene)
-        previews.paint_above(painter, scene, work)
-        if self._cursor.place_px is not None:
-            previews.paint_cursor(painter, on_screen(self._cursor.place_px))
-        empty = not graph.vertices and not graph.circles and not work.preview.strokes
-        if empty and self.tool_name != "camera":
-            previews.paint_invitation(painter, self.viewport().rect(), self.invitation)
+        self.painting.paint(painter, self._way_to_screen())
         painter.restore()
-
-    def _still_lines(self, painter: QtGui.QPainter, scene: Scene) -> Callable[[], None] | None:
-        """In the middle of a drag: paint what stays where it is as a picture of before."""
-        if not self.is_in_hand:
-            return None
-        corners = (self._on_screen((0.0, 0.0)), self._on_screen((1.0, 1.0)))
-        committed = self._drawing.committed
-        return lambda: self._still.paint(painter, scene, committed, corners)
-
-    def _paint_grid(self, painter: QtGui.QPainter, on_screen: Callable[[Point], Point]) -> None:
-        grid = self._drawing.grid
-        if grid is not None:
-            paint_grid(painter, grid, on_screen)
-        if self._drawing.attraction.grid_shown:
-            words = self.in_words(
-                "Grid: {}" if grid else "The grid shows once the sketch is solved"
-            )
-            size = length_text(grid.spacing_mm) if grid else ""
-            paint_note(painter, self.viewport().rect(), words.format(size))
 
     def _on_screen(self, point_px: Point) -> Point:
         return self._way_to_screen()(point_px)
@@ -323,7 +263,16 @@ class SketchView(PhotoView):
         if event.button() == _Qt.LeftButton and not self.is_panning:
             self._press_at(self._pointer(event))
         elif event.button() == _Qt.RightButton and self._drawing.right(self._pointer(event)):
-            open_menu(self, self._drawing, self.viewport().mapToGlobal(position_of(event)))
+            self._open_menu(self.viewport().mapToGlobal(position_of(event)))
+
+    def _open_menu(self, at: QtCore.QPoint) -> None:
+        always = chain(
+            context_menu.about_suggestions(self.take_suggestions) if self.suggestions else (),
+            context_menu.about_sketch(self._drawing),
+            context_menu.about_photo(self.fit),
+        )
+        parts = (context_menu.about_selection(self._drawing), always)
+        context_menu.open_menu(self, parts, self.in_words, at)
 
     def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:  # noqa: N802
         """Pan, or let the tool follow."""
@@ -336,8 +285,8 @@ class SketchView(PhotoView):
 
     def _press_at(self, pointer: Pointer) -> None:
         """Take the ghost that is pointed at, or let the tool work."""
-        if self._ghosts.lit is not None:
-            self.take_suggestions((self._ghosts.lit,))
+        if self.painting.ghosts.lit is not None:
+            self.take_suggestions((self.painting.ghosts.lit,))
         else:
             self._drawing.press(pointer)
 
@@ -354,7 +303,7 @@ class SketchView(PhotoView):
         # What is nearer is meant: the plus of a short edge lies close to its vertices.
         lit = [self.graph.vertices.get(v) for v in self._drawing.preview.lit.vertices]
         others = [self._on_screen(vertex_px) for vertex_px in lit if vertex_px is not None]
-        if self._ghosts.point_at(self._on_screen(place_px) if looks else None, others):
+        if self.painting.ghosts.point_at(self._on_screen(place_px) if looks else None, others):
             self._refresh()
 
     def cursor_shape(self) -> _Qt.CursorShape:
@@ -362,7 +311,7 @@ class SketchView(PhotoView):
         shape = super().cursor_shape()
         if shape != _Qt.ArrowCursor:
             return shape
-        if self._ghosts.lit is not None:
+        if self.painting.ghosts.lit is not None:
             return _Qt.PointingHandCursor
         tool = self._drawing.tool
         return _Qt.SizeAllCursor if tool.can_move else _Qt.CrossCursor if tool.CROSS else shape

@@ -64,7 +64,7 @@ class SketchController:
         #: Told of every new lift.
         self.on_news: Callable[[], None] = lambda: None
         self._solved: Solved | None = None
-        self.tab.view.numbers.count = _parameters_of
+        self.tab.view.painting.numbers.count = _parameters_of
         self.tab.view.graph_edited.connect(self.write)
         self.tab.view.undo_asked.connect(self.undo)
         self.tab.view.redo_asked.connect(self.redo)

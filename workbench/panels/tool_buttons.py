@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 #: Commands that switch something of a view on and off, and whether it is on.
 SWITCHES: dict[str, Callable[[SketchView], bool]] = {
-    "InContext_Numbers": lambda view: view.numbers.shown,
+    "InContext_Numbers": lambda view: view.painting.numbers.shown,
     "InContext_Grid": lambda view: view.attraction.grid_shown,
     "InContext_PhotoEdges": lambda view: view.attraction.photo_edges,
 }

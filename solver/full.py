@@ -19,12 +19,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from .energies import Linearised
-from .energies.circle import Support, circle_support
-from .geometry import cross, rotation
+from .energies.circle import Support
+from .geometry import rotation
 from .initial import LOG_FOCAL_RANGE
 from .least_squares import Evaluation, smallest_step
 from .problem import Problem
 from .projection import N_CAMERA, Seen, Vertices
+from .tangents import Circles
 from .values import Array, IntArray
 
 #: How well a focal length from EXIF is known.
@@ -64,19 +65,12 @@ class FocalPrior:
     sigma: float
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Rows:
-    """Rows of a Jacobian that are zero but for few columns: values (t, w), columns (t, w)."""
-
-    values: Array
-    columns: IntArray
-
-
 @dataclass(slots=True, eq=False)
 class _Last:
     """What was worked out for the last pose, whatever the prior: it is asked for again."""
 
     seen: tuple[Pose, Seen] | None = None
+    middle: tuple[Pose, Array] | None = None
     rows: tuple[Pose, Array] | None = None
     supports: tuple[Pose, Support] | None = None
     normal: tuple[Pose, Array, Array] | None = None
@@ -96,7 +90,7 @@ class FullProblem:
         self.constrained = bool(problem.blocks) or len(problem.diameters) > 0
         self.vertices = Vertices(problem)
         self._axis_of = _axis_of(self.coordinate, self.m)
-        self._has_circles = len(problem.circles) > 0
+        self.circles = Circles(problem) if len(problem.circles) else None
         self._none_idle = problem.structure.has_axes and problem.camera is None
         self._block_places: dict[int, IntArray] = {}
         self._last = _Last()
@@ -140,9 +134,8 @@ class FullProblem:
         """J^T J and J^T r of what is drawn; the last ones are kept, whatever the prior."""
         if self._last.normal is None or self._last.normal[0] is not x:
             A, b = self.vertices.normal_equations(self.rows_of_vertices(x))
-            if self._has_circles:
-                rows, r = self._circles(x)
-                J = self._dense(rows)
+            if self.circles is not None:
+                J, r = self._of_circles(self.circles, x)
                 A += J.T @ J
                 b += J.T @ r
             self._last.normal = (x, A, b)
@@ -157,10 +150,10 @@ class FullProblem:
             row[0, 3] = self._prior_slope(x, self.prior)
             residuals.append(np.array([self._prior_residual(x, self.prior)]))
             parts.append(row)
-        if self._has_circles:
-            of_circles, r = self._circles(x)
+        if self.circles is not None:
+            J, r = self._of_circles(self.circles, x)
             residuals.append(r)
-            parts.append(self._dense(of_circles))
+            parts.append(J)
         return np.concatenate(residuals), np.vstack(parts)
 
     def rows_of_vertices(self, x: Pose) -> Array:
@@ -170,17 +163,12 @@ class FullProblem:
             self._last.rows = (x, rows)
         return self._last.rows[1]
 
-    def _dense(self, rows: _Rows) -> Array:
-        J = np.zeros((len(rows.values), N_CAMERA + self.m))
-        J[np.arange(len(J))[:, None], rows.columns] = rows.values
-        return J
-
     def misfit(self, x: Pose) -> float:
         """|r|^2 of the drawing alone."""
         r = self._seen(x).r
         total = float(r @ r)
-        if self._has_circles:
-            r = self._circle_residual(self._supports(x))
+        if self.circles is not None:
+            r = self.circles.residual(self._supports(self.circles, x))
             total += float(r @ r)
         return total
 
@@ -223,7 +211,7 @@ class FullProblem:
         # The overall size is free; keeping it stops drift.
         g = g * (math.sqrt(float(x.g @ x.g)) / size)
         moved = Pose(R, -math.log(kappa), g)
-        if self._has_circles and not self._circles_visible(moved):
+        if self.circles is not None and not self._are_visible(self.circles, moved):
             return None
         depth = self._depths(moved)
         if len(depth) and float(depth.min()) <= 1e-4 * float(np.abs(depth).mean()):
@@ -232,12 +220,13 @@ class FullProblem:
 
     def _depths(self, x: Pose) -> Array:
         """Of vertices and circles' centres."""
-        if not self._has_circles:
+        if self.circles is None:
             return np.asarray(self._seen(x).in_cam[2])
         return np.asarray(self.positions(x) @ x.R[2])
 
-    def _circles_visible(self, x: Pose) -> bool:
-        return self._supports(x).visible and bool((x.g[self.problem.structure.radius] > 0).all())
+    def _are_visible(self, circles: Circles, x: Pose) -> bool:
+        radii = x.g[self.problem.structure.radius]
+        return self._supports(circles, x).visible and float(radii.min()) > 0
 
     def idle_directions(self, x: Pose) -> Array:
         """Directions that change nothing or are not free, (t, 4 + m) rows of unknowns.
@@ -275,23 +264,17 @@ class FullProblem:
             self._last.seen = (x, self.vertices.seen(x.R, x.log_focal, x.g))
         return self._last.seen[1]
 
-    def _supports(self, x: Pose) -> Support:
+    def _supports(self, circles: Circles, x: Pose) -> Support:
         """The circles of a pose; the last ones are kept, for they are asked for again."""
         if self._last.supports is None or self._last.supports[0] is not x:
-            self._last.supports = (x, self._supports_of(x))
+            self._last.supports = (x, circles.seen(x.R, x.log_focal, x.g))
         return self._last.supports[1]
 
-    def _supports_of(self, x: Pose) -> Support:
-        centres = self.positions(x)[self.n_vertices :] @ x.R.T
-        radii = x.g[self.problem.structure.radius]
-        vertical = self.problem.structure.vertical
-        normal = x.R[:, 2 if vertical is None else vertical]
-        focal = float(np.exp(x.log_focal))
-        return circle_support(centres, radii, normal, focal, self.problem.circles.directions)
-
-    def _circle_residual(self, support: Support) -> Array:
-        circles = self.problem.circles
-        return np.asarray(((support.h - circles.supports) * circles.weights[:, None]).reshape(-1))
+    def _of_circles(self, circles: Circles, x: Pose) -> tuple[Array, Array]:
+        """Their rows of the Jacobian, and their residuals."""
+        support = self._supports(circles, x)
+        J = circles.jacobian(support, x.R, x.log_focal, self._middle(x))
+        return J, circles.residual(support)
 
     def _prior_residual(self, x: Pose, prior: FocalPrior) -> float:
         return DRAWING_SIGMA * (x.log_focal - prior.log_focal) / prior.sigma
@@ -299,29 +282,6 @@ class FullProblem:
     def _prior_slope(self, x: Pose, prior: FocalPrior) -> float:
         """The derivative of its residual by kappa."""
         return -math.exp(x.log_focal) * DRAWING_SIGMA / prior.sigma
-
-    def _circles(self, x: Pose) -> tuple[_Rows, Array]:
-        support = self._supports(x)
-        return self._circle_rows(x, support), self._circle_residual(support)
-
-    def _circle_rows(self, x: Pose, support: Support) -> _Rows:
-        structure = self.problem.structure
-        centres = self.positions(x)[self.n_vertices :] @ x.R.T
-        normal = x.R[:, 2 if structure.vertical is None else structure.vertical]
-        at = support.slopes()
-        by_centre = at.by_centre
-        B = np.empty((*support.h.shape, 8))
-        middle = self._middle(x)
-        B[..., :3] = cross((centres - middle)[:, None, :], by_centre) + cross(normal, at.by_normal)
-        dolly = middle[2] * by_centre[:, :, 2]
-        B[..., 3] = -np.exp(x.log_focal) * (at.by_log_focal + dolly)
-        B[..., 4:7] = by_centre @ x.R
-        B[..., 7] = at.by_radius
-        B *= self.problem.circles.weights[:, None, None]
-        own = np.column_stack([self.coordinate[self.n_vertices :], structure.radius])
-        camera = np.broadcast_to(np.arange(N_CAMERA), (len(own), N_CAMERA))
-        columns = np.repeat(np.hstack([camera, N_CAMERA + own]), support.h.shape[1], axis=0)
-        return _Rows(B.reshape(-1, 8), columns)
 
     def _focal_at_limit(self, x: Pose, slope: float) -> bool:
         """Whether the drawing pulls the focal length beyond what cameras have."""
@@ -332,10 +292,14 @@ class FullProblem:
         )
 
     def _middle(self, x: Pose) -> Array:
-        """The shape's middle in the camera frame."""
-        if self._has_circles:
-            return np.asarray(x.R @ self.positions(x).mean(axis=0))
-        return np.asarray(self._seen(x).in_cam.sum(axis=1) / self.n_vertices)
+        """The shape's middle in the camera frame; the last one is kept."""
+        if self._last.middle is None or self._last.middle[0] is not x:
+            if self.circles is None:
+                middle = self._seen(x).in_cam.sum(axis=1) / self.n_vertices
+            else:
+                middle = x.R @ (self.positions(x).sum(axis=0) / len(self.coordinate))
+            self._last.middle = (x, middle)
+        return self._last.middle[1]
 
     def constraints(self, x: Pose) -> tuple[Array, Array]:
         """Leftover constraints h and their derivatives H over (omega, kappa, g)."""

@@ -21,8 +21,8 @@ def cross(u: Array, v: Array) -> Array:
 
 
 def cross_columns(u: Array, v: Array) -> Array:
-    """Cross products of vectors that stand in columns, (3, n)."""
-    w = np.empty_like(u)
+    """Cross products of vectors that stand in columns, (3, n); those of v may be more."""
+    w = np.empty_like(v)
     for k in range(3):
         i, j = (k + 1) % 3, (k + 2) % 3
         np.multiply(u[i], v[j], out=w[k])

@@ -77,7 +77,9 @@ DIRECTIONS = np.stack([np.cos(np.arange(8) * 0.7), np.sin(np.arange(8) * 0.7)], 
 def supports(C, r, turn, log_focal):
     n = Rotation.from_rotvec(turn).as_matrix() @ np.array([0.1, -0.8, -0.59])
     n /= np.linalg.norm(n)
-    return circle_support(C[None], np.array([r]), n, np.exp(log_focal), DIRECTIONS[None]), n
+    return circle_support(
+        C[:, None], np.array([r]), n, np.exp(log_focal) * DIRECTIONS.T[:, None]
+    ), n
 
 
 def test_support_of_a_circle_equals_that_of_its_image():
@@ -88,7 +90,10 @@ def test_support_of_a_circle_equals_that_of_its_image():
     middle = np.mean(ellipse.a, axis=0) - camera.principal_point_px
     R, t = camera.rotation_cam_from_world, camera.translation_cam_from_world_mm
     found = circle_support(
-        (R @ centre + t)[None], np.array([radius]), R[:, 2], camera.focal_px, DIRECTIONS[None]
+        (R @ centre + t)[:, None],
+        np.array([radius]),
+        R[:, 2],
+        camera.focal_px * DIRECTIONS.T[:, None],
     )
     assert found.visible
     np.testing.assert_allclose(found.h[0], ellipse_support(a, b, middle, DIRECTIONS), rtol=1e-9)
@@ -102,9 +107,9 @@ def test_derivatives_of_the_support_equal_central_differences():
     for k in range(3):
         d = np.eye(3)[k] * step
         by_centre = (supports(C + d, r, d * 0, f)[0].h - supports(C - d, r, d * 0, f)[0].h) / 2e-6
-        np.testing.assert_allclose(at.by_centre[..., k], by_centre, atol=1e-8)
+        np.testing.assert_allclose(at.by_centre[k], by_centre, atol=1e-8)
         by_turn = (supports(C, r, d, f)[0].h - supports(C, r, -d, f)[0].h) / 2e-6
-        np.testing.assert_allclose(np.cross(n, at.by_normal)[..., k], by_turn, atol=1e-8)
+        np.testing.assert_allclose(np.cross(n, at.by_normal, axisb=0)[..., k], by_turn, atol=1e-8)
     zero = np.zeros(3)
     by_radius = (supports(C, r + step, zero, f)[0].h - supports(C, r - step, zero, f)[0].h) / 2e-6
     np.testing.assert_allclose(at.by_radius, by_radius, atol=1e-8)

@@ -29,7 +29,7 @@ class Slopes:
 
     Parameters
     ----------
-    by_centre, by_normal : (k, j, 3) arrays
+    by_centre, by_normal : (3, k, j) arrays
     by_radius, by_log_focal : (k, j) arrays
     """
 
@@ -50,6 +50,8 @@ class Support:
         False where a circle reaches the eye's plane; the values then mean nothing.
     p : (2, k, j) array
         Without its last number, 0.
+    square : (k, j) array
+        Of p.
     C : (3, k, 1) array
     n : (3,) array
     r : (k, 1) array
@@ -62,6 +64,7 @@ class Support:
     h: Array
     visible: bool
     p: Array
+    square: Array
     C: Array
     n: Array
     r: Array
@@ -75,18 +78,20 @@ class Support:
     def slopes(self) -> Slopes:
         """Derivatives: h by a, b and c, and these by what they are made of."""
         a, b, c, root, Cp, n_p = self.a, self.b, self.c, self.root, self.Cp, self.n_p
-        Cz, nz = self.C[2], float(self.n[2])
-        ha, hb, hc = (1 + a / root) / c, -0.5 / root, -(a + root) / c**2 - b / (2 * root * c)
-        by_centre, by_normal = np.empty((2, *a.shape, 3))
-        along = ha * Cz + 2 * hb * Cp
-        by_centre[..., 0], by_centre[..., 1] = along * self.p
-        by_centre[..., 2] = ha * Cp + 2 * hc * Cz
-        along = self.r**2 * (ha * nz + 2 * hb * n_p)
-        by_normal[..., 0], by_normal[..., 1] = along * self.p
-        by_normal[..., 2] = self.r**2 * (ha * n_p + 2 * hc * nz)
-        square = (self.p**2).sum(axis=0)
-        by_radius = ha * n_p * nz - hb * (square - n_p**2) - hc * (1 - nz**2)
-        return Slopes(by_centre, by_normal, 2 * self.r * by_radius, ha * a + 2 * hb * b)
+        Cz, nz, square = self.C[2], float(self.n[2]), self.square
+        half = 0.5 / root
+        ha, hc = (1 + a / root) / c, -(a + root) / c**2 - b * (half / c)
+        by_centre, by_normal = np.empty((2, 3, *a.shape))
+        # With hb = -half; the derivative by the focal length is that by p.
+        along = ha * Cz - 2 * half * Cp
+        np.multiply(along, self.p, out=by_centre[:2])
+        by_centre[2] = ha * Cp + 2 * hc * Cz
+        along = ha * nz - 2 * half * n_p
+        np.multiply(along, self.p, out=by_normal[:2])
+        by_normal[2] = ha * n_p + 2 * hc * nz
+        by_normal *= self.r**2
+        by_radius = ha * n_p * nz + half * (square - n_p**2) - hc * (1 - nz**2)
+        return Slopes(by_centre, by_normal, 2 * self.r * by_radius, ha * a - 2 * half * b)
 
 
 def ellipse_support(va: Array, vb: Array, centre: Array, q: Array) -> Array:
@@ -94,32 +99,32 @@ def ellipse_support(va: Array, vb: Array, centre: Array, q: Array) -> Array:
     return np.asarray(q @ centre + np.hypot(q @ va, q @ vb))
 
 
-def circle_support(C: Array, r: Array, n: Array, focal: float, q: Array) -> Support:
+def circle_support(C: Array, r: Array, n: Array, p: Array) -> Support:
     """Support of the images of circles, from the dual conic.
 
-    With p = (f q, 0), e = (0, 0, 1), M = C C^T - r^2 (I - n n^T), a = p^T M e, b = p^T M p,
-    c = e^T M e: h = (a + sqrt(a^2 - b c)) / c.
+    With e = (0, 0, 1), M = C C^T - r^2 (I - n n^T), a = p^T M e, b = p^T M p, c = e^T M e:
+    h = (a + sqrt(a^2 - b c)) / c.
 
     Parameters
     ----------
-    C : (k, 3) array
+    C : (3, k) array
         Centres in the camera frame.
     r : (k,) array
     n : (3,) array
         Common unit normal in the camera frame.
-    focal : float
-    q : (k, j, 2) array
-        Unit directions in the image.
+    p : (2, k, j) array
+        Unit directions in the image, times the focal length; with a third number, 0.
     """
-    p = focal * q.transpose(2, 0, 1)
-    centre, radius = C.T[:, :, None], r[:, None]
-    Cp, n_p = centre[0] * p[0] + centre[1] * p[1], n[0] * p[0] + n[1] * p[1]
-    Cz, nz, R2 = centre[2], float(n[2]), radius**2
-    a = Cp * Cz + R2 * nz * n_p
-    b = Cp**2 - R2 * ((p**2).sum(axis=0) - n_p**2)
+    centre, radius = C[:, :, None], r[:, None]
+    nx, ny, nz = n.tolist()
+    Cp, n_p = centre[0] * p[0] + centre[1] * p[1], nx * p[0] + ny * p[1]
+    Cz, R2, squares = centre[2], radius**2, p[0] ** 2 + p[1] ** 2
+    a = Cp * Cz + (R2 * nz) * n_p
+    b = Cp**2 - R2 * (squares - n_p**2)
     c = Cz**2 - R2 * (1 - nz**2)
     square = a**2 - b * c
-    visible = bool((c > 0).all() and (square > 0).all() and (Cz > 0).all())
+    visible = all(float(depths.min()) > 0 for depths in (Cz, c, square))
     root = np.sqrt(np.maximum(square, 1e-300))
-    c = np.where(c > 0, c, 1.0)
-    return Support((a + root) / c, visible, p, centre, n, radius, Cp, n_p, a, b, c, root)
+    if not visible:
+        c = np.where(c > 0, c, 1.0)
+    return Support((a + root) / c, visible, p, squares, centre, n, radius, Cp, n_p, a, b, c, root)

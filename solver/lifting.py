@@ -33,6 +33,8 @@ from .world import camera_above_ground, ground_indices, lean
 
 #: Views that are carried on to the full step.
 MAX_STARTS = 9
+#: After so many views in a row that led to readings known by then, no other one is tried.
+AGREEING = 3
 #: Iterations to tell promising views from others, views that are finished, iterations for those.
 TRIAL_ITERATIONS = 14
 TRIAL_ENOUGH = 1e-3
@@ -288,6 +290,8 @@ def _best(
             if _is_exact(tried[-1]):
                 break
         if tried and (_is_exact(tried[-1]) or (stop is not None and stop())):
+            break
+        if len(tried) > AGREEING and all(t.minimum.cost == np.inf for t in tried[-AGREEING:]):
             break
     finished: list[Lifted] = []
     promising = _promising(graph, tried)

@@ -25,6 +25,7 @@ from .circles import tilted_views
 from .geometry import cross
 from .problem import Problem
 from .starting.drawn_lines import Agreement, DrawnLines, Pencils, drawn_lines, gathered, turns
+from .structure import balanced_rows
 from .values import Array, BoolArray
 
 #: Focal lengths in image units: from as wide as cameras are to drawings without any perspective.
@@ -40,6 +41,8 @@ MANY_LINES = 30
 REFINEMENTS, FEW_REFINEMENTS = 12, 2
 #: A gain of so little, in parts of the misfit, is none: the full step goes on from here.
 SETTLED = 1e-5
+#: How much more it weighs that two edges are cut by one plane of symmetry than that a ray is met.
+BALANCE = 1e2
 #: Lines meet a camera exactly within this angle (rad, RMS).
 EXACT_MISFIT = 1e-7
 #: So few lines may meet some camera exactly by chance.
@@ -383,6 +386,9 @@ def lift_linear(problem: Problem, R: Array, log_focal: float, pull: float) -> Ar
     A = np.bincount(places.ravel(), P.ravel(), m * m).astype(float).reshape(m, m)
     along = np.broadcast_to(pull**2 * forward, coordinate.shape)
     b_vector = np.bincount(coordinate.ravel(), along.ravel(), m).astype(float)
+    if len(problem.structure.balances):
+        L = BALANCE * balanced_rows(problem.structure)
+        A += L.T @ L
     A[np.diag_indices(m)] += 1e-14
     g = np.asarray(np.linalg.solve(A, b_vector), dtype=np.float64)
     depths = (g[coordinate] @ forward)[len(problem.points) :]

@@ -50,6 +50,9 @@ class Structure:
         Index of each circle's radius, behind the coordinates.
     n_coordinates : int
         Coordinates and radii together.
+    balances : (b, 4) int array
+        Coordinates i, j, k, l with g_i + g_j = g_k + g_l: the ends of two edges that run along an
+        axis and cross the same plane of symmetry.
     vertical : int or None
     has_axes : bool
         False where no two perpendicular classes are known; the axes are then arbitrary.
@@ -63,6 +66,7 @@ class Structure:
     coordinate: IntArray
     radius: IntArray
     n_coordinates: int
+    balances: IntArray
     vertical: int | None
     has_axes: bool
     contradiction: bool
@@ -129,6 +133,7 @@ def _share(
         coordinate=coordinate,
         radius=n_shared + np.arange(len(topology.circles)),
         n_coordinates=n_shared + len(topology.circles),
+        balances=_balances(topology, edge_axis, coordinate),
         vertical=vertical,
         has_axes=bool(axes),
         contradiction=directions.contradiction or collapsed,
@@ -242,6 +247,28 @@ def _share_coordinates(
     if faces is not None:
         shared = _share_in_faces(faces, edge_axis, shared)
     return numbered(shared, 3 * n_points)[1].reshape(n_points, 3)
+
+
+def _balances(topology: Topology, edge_axis: IntArray, coordinate: IntArray) -> IntArray:
+    """What symmetry planes that are square to an axis say of coordinates."""
+    found = []
+    for _, a in topology.by_kind["symmetry_plane"]:
+        edges = [topology.edges[e] for e in a.midpoints_of]
+        k = int(edge_axis[edges[0]])
+        if k < 0 or (edge_axis[edges] != k).any():
+            continue
+        first, *others = np.sort(coordinate[topology.ends[edges], k], axis=1).tolist()
+        found += [(*first, *other) for other in others if other != first]
+    return np.array(found, dtype=np.int64).reshape(-1, 4)
+
+
+def balanced_rows(structure: Structure) -> Array:
+    """The same as rows that g makes 0, (b, g)."""
+    rows = np.zeros((len(structure.balances), structure.n_coordinates))
+    at = np.arange(len(rows))
+    for column, sign in zip(structure.balances.T, (1.0, 1.0, -1.0, -1.0), strict=True):
+        rows[at, column] += sign
+    return rows
 
 
 def _turned(topology: Topology) -> list[Revolution]:

@@ -27,6 +27,7 @@ def independent_structure(graph):
         edge_across=np.zeros_like(tied.edge_across),
         coordinate=np.arange(3 * n).reshape(n, 3),
         n_coordinates=3 * n,
+        balances=tied.balances[:0],
         vertical=None,
         has_axes=False,
     )

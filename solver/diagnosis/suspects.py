@@ -157,6 +157,7 @@ def softened(graph: SketchGraph, problem: Problem) -> FullProblem:
         coordinate=coordinate,
         radius=n_free + np.arange(len(tied.radius)),
         n_coordinates=n_free + len(tied.radius),
+        balances=tied.balances[:0],
         # Circles know their normal by it.
         vertical=tied.vertical if len(tied.radius) else None,
         has_axes=False,

@@ -21,7 +21,7 @@ import numpy as np
 
 from ..effort import counting
 from ..problem import Problem
-from ..structure import Structure
+from ..structure import Structure, balanced_rows
 from ..topology import MAX_KEPT
 from ..values import Array, BoolArray, Stop
 
@@ -111,6 +111,9 @@ def n_floats(structure: Structure) -> int:
     """
     rng = np.random.default_rng(1)
     g = rng.uniform(-1.0, 1.0, structure.n_coordinates) + 4.0
+    if len(structure.balances):
+        L = balanced_rows(structure)
+        g -= np.linalg.lstsq(L, L @ g, rcond=None)[0]
     g[structure.radius] = 1.0
     squares = np.linalg.eigvalsh(_ray_form(structure, g)[: len(g), : len(g)])
     open_ = int(np.count_nonzero(squares < 1e-11 * max(float(squares[-1]), 1e-300)))
@@ -119,14 +122,20 @@ def n_floats(structure: Structure) -> int:
 
 
 def _ray_form(structure: Structure, g: Array) -> Array:
-    """The quadratic form sum |c x r|^2 / |c|^2 of moves off the rays through the points of g."""
+    """The quadratic form sum |c x r|^2 / |c|^2 of moves off the rays through the points of g.
+
+    With what moves put out of balance.
+    """
     coordinate, m = structure.coordinate, structure.n_coordinates
     c = g[coordinate]
     rays = c / np.maximum(np.linalg.norm(c, axis=1, keepdims=True), 1e-300)
     P = np.eye(3) - rays[:, :, None] * rays[:, None, :]
     places = coordinate[:, :, None] * m + coordinate[:, None, :]
-    A = np.bincount(places.ravel(), P.ravel(), m * m)
-    return np.asarray(A.astype(np.float64).reshape(m, m))
+    A = np.bincount(places.ravel(), P.ravel(), m * m).astype(np.float64).reshape(m, m)
+    if len(structure.balances):
+        L = balanced_rows(structure)
+        A += L.T @ L
+    return np.asarray(A)
 
 
 def _floats(structure: Structure, g: Array, count: int) -> Array:

@@ -301,7 +301,7 @@ def broken(model: Model, settings: PlateSettings, joined: Joined) -> Iterator[st
             yield f"{pair} overlap by {volume:.3g} mm3"
     for plate in plates:
         yield from _of_plate(plate, settings)
-        yield from _untold_slots(plate, joined)
+        yield from _slots_near_borders(plate, plates)
     yield from _of_body(model, plates, settings.side)
     marks = edge_marks(plates, joined.joints)
     sheets = lay_out(plates, settings, marks)
@@ -341,17 +341,23 @@ def _of_plate(plate: Plate, settings: PlateSettings) -> Iterator[str]:
             yield f"the beam takes {lost:.3g} mm2 of {plate.id}"
 
 
-def _untold_slots(plate: Plate, joined: Joined) -> Iterator[str]:
-    """Slots nearer to a border than one thickness, unless a note says so."""
-    outline = shapely.LinearRing(plate.outline)
-    others = [body(other) for other in joined.plates if other is not plate]
-    for hole in plate.holes:
-        near = outline.distance(shapely.LinearRing(hole)) < plate.thickness_mm - 1e-5
-        if near and not any(note.startswith(f"{plate.id}: the slot") for note in joined.notes):
-            room = prism_over(shapely.Polygon(hole), 0.0, plate.thickness_mm)
-            room = room.transform(plate.world_from_plate[:3])
-            if any((room ^ other).volume() > 1e-3 for other in others):
-                yield f"a slot of {plate.id} is less than {plate.thickness_mm} mm from its border"
+def _slots_near_borders(plate: Plate, plates: tuple[Plate, ...]) -> Iterator[str]:
+    """Slots nearer than one thickness to a border, drawn holes included."""
+    rings = [shapely.LinearRing(ring) for ring in (plate.outline, *plate.holes)]
+    filled = [False, *(_is_filled(plate, hole, plates) for hole in plate.holes)]
+    for n, slot in enumerate(filled):
+        gaps = [r.distance(rings[n]) for r, slot in zip(rings, filled, strict=True) if not slot]
+        if slot and min(gaps) < plate.thickness_mm - 1e-5:
+            yield (
+                f"a slot of {plate.id} is {min(gaps):.3f} mm from a border, less than "
+                f"{plate.thickness_mm} mm"
+            )
+
+
+def _is_filled(plate: Plate, hole: np.ndarray, plates: tuple[Plate, ...]) -> bool:
+    room = prism_over(shapely.Polygon(hole), 0.0, plate.thickness_mm)
+    room = room.transform(plate.world_from_plate[:3])
+    return any((room ^ body(other)).volume() > 1e-3 for other in plates if other is not plate)
 
 
 def _of_sheets(

@@ -18,6 +18,7 @@ LINES = (
     "{} degrees; fingers hold from 30 to 150 degrees",
     "{} mm clear of the corners; fingers need {} mm at least",
     "fingers would cut {} into pieces",
+    "slots would be less than {} mm from a border of {}",
     "{}: the slot for {} ({}) is {} mm from a border, less than the plate's {} mm; it may break",
     "{}: the slot for {} is {} mm from a border, less than the plate's {} mm; it may break",
     "{} meet in a point: {} mm3 stay empty there, which square cuts cannot fill",

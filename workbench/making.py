@@ -159,7 +159,7 @@ def _plate_files(joined: Joined, settings: PlateSettings, order: Order) -> dict[
     from .fabrication.svg import svg_bytes
 
     name, plates, preset = order.name, joined.plates, load_preset(order.shop.preset)
-    sheets = lay_out(plates, settings, edge_marks(plates, joined.joints))
+    sheets = lay_out(plates, settings, edge_marks(plates, joined.joints), joined.joints)
     if order.sheet_files:
         drawings = {
             f"{name}{'' if n == 1 else f'-{n}'}.dxf": dxf_bytes([sheet], preset)

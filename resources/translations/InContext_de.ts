@@ -1582,8 +1582,8 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>ein Loch von {} x {} mm ist schmaler als die Schnittfuge von {} mm</translation>
     </message>
     <message>
-        <source>a notch is narrower than the kerf of {} mm</source>
-        <translation>eine Kerbe ist schmaler als die Schnittfuge von {} mm</translation>
+        <source>a notch that a beam of {} mm just gets into is narrower than the kerf of {} mm</source>
+        <translation>eine Kerbe, in die ein Strahl von {} mm gerade noch passt, ist schmaler als die Schnittfuge von {} mm</translation>
     </message>
     <message>
         <source>a larger sheet</source>
@@ -1594,8 +1594,8 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>ein gehobenes Modell</translation>
     </message>
     <message>
-        <source>a notch or hole has no room for a cutter of {} mm</source>
-        <translation>eine Kerbe oder ein Loch hat keinen Platz für einen Fräser von {} mm</translation>
+        <source>a notch or hole has no room for a cutter of {} mm: one of {} mm just gets in</source>
+        <translation>eine Kerbe oder ein Loch hat keinen Platz für einen Fräser von {} mm: einer von {} mm passt gerade noch</translation>
     </message>
     <message>
         <source>a number from {} to {} mm</source>
@@ -1732,6 +1732,10 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
     <message>
         <source>fingers cannot hold here: {}</source>
         <translation>Zinken können hier nicht halten: {}</translation>
+    </message>
+    <message>
+        <source>tabs cannot hold here: {}</source>
+        <translation>Zapfen halten hier nicht: {}</translation>
     </message>
     <message>
         <source>flat faces beside a surface of revolution cannot be printed as one</source>
@@ -2280,6 +2284,10 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
     <message>
         <source>fingers would cut {} into pieces</source>
         <translation>Zinken würden {} zerteilen</translation>
+    </message>
+    <message>
+        <source>slots would be less than {} mm from a border of {}</source>
+        <translation>Schlitze wären weniger als {} mm von einem Rand von {} entfernt</translation>
     </message>
     <message>
         <source>{}: the slot for {} ({}) is {} mm from a border, less than the plate's {} mm; it may break</source>

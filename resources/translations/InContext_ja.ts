@@ -1582,8 +1582,8 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>{} x {} mm の穴が切り幅 {} mm より狭いです</translation>
     </message>
     <message>
-        <source>a notch is narrower than the kerf of {} mm</source>
-        <translation>切り欠きが切り幅 {} mm より狭いです</translation>
+        <source>a notch that a beam of {} mm just gets into is narrower than the kerf of {} mm</source>
+        <translation>幅 {} mm の光線がやっと入る切り欠きは、切り幅 {} mm より狭いです</translation>
     </message>
     <message>
         <source>a larger sheet</source>
@@ -1594,8 +1594,8 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>起こしたモデル</translation>
     </message>
     <message>
-        <source>a notch or hole has no room for a cutter of {} mm</source>
-        <translation>切り欠きか穴に {} mm の刃が入りません</translation>
+        <source>a notch or hole has no room for a cutter of {} mm: one of {} mm just gets in</source>
+        <translation>切り欠きか穴に {} mm の刃が入りません: {} mm の刃ならやっと入ります</translation>
     </message>
     <message>
         <source>a number from {} to {} mm</source>
@@ -1732,6 +1732,10 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
     <message>
         <source>fingers cannot hold here: {}</source>
         <translation>ここではほぞが持ちません: {}</translation>
+    </message>
+    <message>
+        <source>tabs cannot hold here: {}</source>
+        <translation>ここではだぼが持ちません: {}</translation>
     </message>
     <message>
         <source>flat faces beside a surface of revolution cannot be printed as one</source>
@@ -2280,6 +2284,10 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
     <message>
         <source>fingers would cut {} into pieces</source>
         <translation>ほぞが {} を切り離してしまいます</translation>
+    </message>
+    <message>
+        <source>slots would be less than {} mm from a border of {}</source>
+        <translation>溝が縁から {} mm 未満になります ({})</translation>
     </message>
     <message>
         <source>{}: the slot for {} ({}) is {} mm from a border, less than the plate's {} mm; it may break</source>

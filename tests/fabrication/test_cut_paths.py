@@ -5,8 +5,16 @@ import pytest
 import shapely
 from fabrication import shapes
 
-from incontext.workbench.fabrication import FabricationError, Plate, make_plates
+from incontext.workbench.fabrication import (
+    FabricationError,
+    Plate,
+    PlateSettings,
+    joined_plates,
+    make_plates,
+)
 from incontext.workbench.fabrication.cut_paths import cut_path
+from incontext.workbench.fabrication.narrow_places import TooNarrowError
+from incontext.workbench.fabrication.sheets import lay_out
 
 
 def path_lines(path):
@@ -65,8 +73,26 @@ def test_a_hole_narrower_than_the_kerf_is_named():
 def test_a_notch_narrower_than_the_kerf_is_named():
     outline = [(0, 0), (40, 0), (40, 40), (20.1, 40), (20.1, 20), (20, 20), (20, 40), (0, 40)]
     plate = Plate("p2", ("p2",), 3.0, np.array(outline, dtype=float), (), np.eye(4))
-    with pytest.raises(FabricationError, match="narrower than the kerf"):
+    with pytest.raises(TooNarrowError, match=r"a beam of 0\.1 mm just gets into") as caught:
         cut_path(plate, 0.3)
+    assert shapely.box(20, 20, 20.1, 40).covers(shapely.Point(caught.value.place))
+
+
+def test_a_notch_that_is_too_narrow_is_told_by_its_joint():
+    loops = {
+        "one": shapes.rect(0, 40, (0, 90), (0, 60)),
+        "two": shapes.rect(1, 30, (0, 60), (0, 80)),
+        "far": shapes.rect(1, 70, (0, 100), (0, 80)),
+    }
+    settings = PlateSettings(kerf_mm=2.6)
+    joined = joined_plates(
+        shapes.model(loops, thickness={"one": 3.0, "two": 3.0, "far": 2.5}), settings
+    )
+    with pytest.raises(
+        FabricationError, match=r"of 2\.5 mm just gets into .* of 2\.6 mm"
+    ) as caught:
+        lay_out(joined.plates, settings, None, joined.joints)
+    assert caught.value.ids == ("one", "far")
 
 
 def wedge(degrees: float) -> Plate:

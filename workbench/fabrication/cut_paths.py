@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from shapely.geometry import Polygon
 
 from ...solver.values import Array
-from .errors import FabricationError
+from .narrow_places import TooNarrowError, narrow_place, room_mm
 from .plates import Plate, from_least
 from .relief import relieved
 
@@ -71,18 +71,25 @@ def cut_path(plate: Plate, kerf_mm: float, relief: str = "none", tool_mm: float 
 
     Raises
     ------
-    FabricationError
+    TooNarrowError
         Naming the plate, where a notch or hole is narrower than the kerf.
     """
     rings = [plate.outline, *plate.holes]
     if relief != "none":
         rings = relieved(plate, relief, tool_mm)
-    paths = [_path(plate.id, ring, kerf_mm, hole=n > 0) for n, ring in enumerate(rings)]
+    paths = [_path(plate, ring, kerf_mm, hole=n > 0) for n, ring in enumerate(rings)]
     return CutPath(plate.id, plate.thickness_mm, paths[0], tuple(paths[1:]))
 
 
-def _path(plate_id: str, ring: Array, kerf: float, *, hole: bool) -> Array:
+def _path(plate: Plate, ring: Array, kerf: float, *, hole: bool) -> Array:
     """One ring's path; material lies on the left of both."""
+    path = _path_or_none(ring, kerf, hole=hole)
+    if path is None:
+        raise _too_narrow(plate, ring, kerf, hole=hole)
+    return path
+
+
+def _path_or_none(ring: Array, kerf: float, *, hole: bool) -> Array | None:
     if kerf == 0:
         return _without_short(ring)
     slot = _narrowed(ring, kerf) if hole and len(ring) == 4 else None
@@ -93,16 +100,26 @@ def _path(plate_id: str, ring: Array, kerf: float, *, hole: bool) -> Array:
         moved = _moved(ring[::-1] if hole else ring, -kerf / 2 if hole else kerf / 2)
         moved = moved[::-1] if moved is not None and hole else moved
     if moved is None:
-        width, height = np.ptp(ring, axis=0).tolist()
-        raise FabricationError(
-            f"a hole of {width:.4g} x {height:.4g} mm is narrower than the kerf of {kerf:g} mm"
-            if hole
-            else f"a notch is narrower than the kerf of {kerf:g} mm",
-            (plate_id,),
-            "a smaller kerf, or wider fingers",
-        )
+        return None
     points = np.round(_without_short(moved), 6) + 0.0
     return from_least(points)
+
+
+def _too_narrow(plate: Plate, ring: Array, kerf: float, *, hole: bool) -> TooNarrowError:
+    """Why a ring has no path, and where."""
+    if hole:
+        width, height = np.ptp(ring, axis=0).tolist()
+        what = f"a hole of {width:.4g} x {height:.4g} mm is narrower than the kerf of {kerf:g} mm"
+        spot = np.array(Polygon(ring).representative_point().coords[0])
+        return TooNarrowError(what, plate, spot, "a smaller kerf, or wider fingers")
+    room = room_mm(lambda beam: _path_or_none(ring, beam, hole=False) is not None, kerf)
+    return TooNarrowError(
+        f"a notch that a beam of {room:g} mm just gets into is narrower than the kerf of "
+        f"{kerf:g} mm",
+        plate,
+        narrow_place(Polygon(ring), min(kerf, room + 0.05)),
+        "a smaller kerf, or wider fingers",
+    )
 
 
 def _narrowed(ring: Array, kerf: float) -> Array | None:

@@ -198,7 +198,7 @@ def _finger_pieces(run: Run, walls: Sequence[Wall], first: int, joint: Joint) ->
         owner, rival = (second, first) if n % 2 else (first, second)
         at_end = (n == 0, n == len(borders) - 2)
         slack = _finger_slack(run, walls, owner, at_end, joint.play_mm)
-        pieces.append(_run_piece(run, walls, (low, high), owner, rival, slack))
+        pieces.append(_run_piece(run, walls, (low, high), owner, rival, slack, least))
     return pieces
 
 
@@ -221,12 +221,22 @@ def _run_piece(
     owner: int,
     rival: int,
     slack: Slack,
+    least: float = 0.0,
 ) -> Piece:
     low, high = [0.0] * 3, [0.0] * 3
     for wall in (walls[run.one], walls[run.two]):
         low[wall.axis], high[wall.axis] = wall.low_mm, wall.high_mm
     low[run.axis], high[run.axis] = ends
-    return Piece((low[0], low[1], low[2]), (high[0], high[1], high[2]), owner, (rival,), slack)
+    return Piece(
+        (low[0], low[1], low[2]),
+        (high[0], high[1], high[2]),
+        owner,
+        (rival,),
+        slack,
+        run.axis if run.kind != "L" else -1,
+        least,
+        run.kind == "T" and owner == run.one,
+    )
 
 
 def _half_lap(

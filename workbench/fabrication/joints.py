@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from .dihedral import FINGERS_FROM_RAD, FINGERS_TO_RAD
 from .errors import FabricationError, SettingsError
@@ -273,6 +273,23 @@ class JointPlan:
         self._butted[_sides(shortest)] = f"fingers would cut {face_ids[0]} into pieces"
         self.joints.clear()
         return True
+
+    def butt_after_all(self, joint: Joint, reason: str) -> None:
+        """Say that a joint of tabs has none.
+
+        Parameters
+        ----------
+        joint : Joint
+        reason : str
+
+        Raises
+        ------
+        FabricationError
+            Where the person chose tabs there.
+        """
+        if any(c.kind is not None and c.concerns(joint.meeting) for c in self.choices):
+            raise FabricationError(f"tabs cannot hold here: {reason}", joint.meeting.name, "butt")
+        self.joints[self.joints.index(joint)] = replace(joint, kind="butt", reason=reason)
 
     def _swapped(self, meeting: Meeting, owner: str | None) -> bool:
         if owner is None or owner in meeting.one:

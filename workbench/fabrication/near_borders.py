@@ -1,7 +1,7 @@
 """Slots that lie nearer to a border of their plate than the plate is thick.
 
-Runs of tabs keep away from borders. Where walls cross near an edge, a half-lap or the end of a
-third wall may still leave less: then it is said.
+Tabs and half-laps keep away from borders, and from holes that were drawn. Where the drawing leaves
+no other way it is said.
 """
 
 from __future__ import annotations
@@ -38,17 +38,28 @@ def slots_near_borders(plates: Sequence[Plate], joints: Sequence[Joint]) -> Iter
         nothing fills are nobody's slots.
     """
     for plate in plates:
-        border = shapely.LinearRing(plate.outline)
         least = plate.thickness_mm
-        for hole in plate.holes:
-            gap = border.distance(shapely.LinearRing(hole))
-            other = _filling(plate, hole, plates) if gap < least - _ROUNDING_MM else None
-            if other is not None:
-                where = ", ".join(_edges(plate, other, joints))
-                yield (
-                    f"{plate.id}: the slot for {other.id}{f' ({where})' if where else ''} is "
-                    f"{gap:.1f} mm from a border, less than the plate's {least:g} mm; it may break"
-                )
+        for other, gap in _near(plate, plates):
+            where = ", ".join(_edges(plate, other, joints))
+            yield (
+                f"{plate.id}: the slot for {other.id}{f' ({where})' if where else ''} is "
+                f"{gap:.1f} mm from a border, less than the plate's {least:g} mm; it may break"
+            )
+
+
+def _near(plate: Plate, plates: Sequence[Plate]) -> Iterator[tuple[Plate, float]]:
+    """What fills the slots of a plate that are too near to a border, and how near they are."""
+    rings = [shapely.LinearRing(ring) for ring in (plate.outline, *plate.holes)]
+    for n, hole in enumerate(plate.holes, 1):
+        gaps = shapely.distance(rings[n], rings)
+        near = [m for m in np.flatnonzero(gaps < plate.thickness_mm - _ROUNDING_MM) if m != n]
+        other = _filling(plate, hole, plates) if near else None
+        if other is None:
+            continue
+        # A hole that nothing fills was drawn: a border too.
+        drawn = [m for m in near if not m or _filling(plate, plate.holes[m - 1], plates) is None]
+        if drawn:
+            yield other, float(gaps[drawn].min())
 
 
 def _filling(plate: Plate, hole: Array, plates: Sequence[Plate]) -> Plate | None:

@@ -14,6 +14,7 @@ import numpy as np
 import shapely
 from shapely.geometry import Polygon, box
 
+from .clear_slots import clear_slots
 from .errors import FabricationError
 from .pieces import NO_SLACK, Piece
 from .rectilinear import Raster, rastered, wide_all_over
@@ -27,7 +28,7 @@ _ROUNDS = 12
 
 def cut_outlines(
     walls: Sequence[Wall], pieces: Sequence[Piece]
-) -> tuple[list[Polygon], dict[tuple[str, ...], float]]:
+) -> tuple[list[Polygon], dict[tuple[str, ...], float], list[Piece]]:
     """The outline of each wall's plate, in the coordinates of its region, and what stays empty.
 
     Parameters
@@ -43,6 +44,8 @@ def cut_outlines(
     empty : dict of face ids to mm3
         Where walls touch in one point only, each wants a column there of which it has a part
         alone: a square cut leaves one part empty.
+    pieces : list of Piece
+        With their last owners.
 
     Raises
     ------
@@ -74,7 +77,9 @@ def cut_outlines(
         for i in touched:
             outlines[i] = cutter.outline(i, shared)
     repair = Repair(walls, shared, outlines, cutter)
-    outlines = repair.run()
+    repair.run()
+    repair = clear_slots(repair, _Cutter, lambda outline: len(_parts(outline)) == 1)
+    outlines = repair.outlines
     empty = {tuple(walls[w].face_ids[0] for w in some): v for some, v in repair.empty().items()}
     outlines = [_main_part(wall, outline) for wall, outline in zip(walls, outlines, strict=True)]
     for i, (wall, outline) in enumerate(zip(walls, outlines, strict=True)):
@@ -85,7 +90,7 @@ def cut_outlines(
                 "thinner plates, or walls further apart",
             )
     whole = [tidy(max(shapely.get_parts(o), key=lambda part: part.area)) for o in outlines]
-    return whole, empty
+    return whole, empty, repair.pieces
 
 
 class _Cutter:

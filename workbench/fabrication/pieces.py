@@ -8,7 +8,7 @@ piece
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 Corner = tuple[float, float, float]
 #: How far a cut reaches beyond its piece: for each axis at the low and at the high end, mm.
@@ -28,6 +28,12 @@ class Piece:
         Walls that could own it as well.
     slack : Slack
         Play around the piece, where it is cut out of the first rival.
+    run_axis : int
+        Along which its run goes; -1 where it is part of no run.
+    least_mm : float
+        What is narrower along the run holds nothing.
+    carries : bool
+        What a carrier has between and beside tabs: its owner keeps it.
     """
 
     low_mm: Corner
@@ -35,8 +41,11 @@ class Piece:
     owner: int
     rivals: tuple[int, ...]
     slack: Slack = NO_SLACK
+    run_axis: int = -1
+    least_mm: float = 0.0
+    carries: bool = False
 
     def given_to(self, wall: int) -> Piece:
         """The same piece with another owner."""
         rivals = tuple(w for w in (self.owner, *self.rivals) if w != wall)
-        return Piece(self.low_mm, self.high_mm, wall, rivals)
+        return replace(self, owner=wall, rivals=rivals, slack=NO_SLACK)

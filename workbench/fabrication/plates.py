@@ -18,6 +18,7 @@ from shapely.geometry import Polygon
 
 from ...solver.model import Model
 from ...solver.values import Array, frozen_array
+from .clear_slots import lost_tabs
 from .errors import FabricationError, NotRightAngledError
 from .finger_joints import share_out
 from .frame import Frame, find_frame, snapped
@@ -144,7 +145,9 @@ def joined_plates(model: Model, settings: PlateSettings = _DEFAULTS) -> Joined:
     else:
         _check_apart(walls)
         pieces = share_out(walls, settings, plan, _edges(model, frame))
-        outlines, empty = cut_outlines(walls, pieces)
+        outlines, empty, pieces = cut_outlines(walls, pieces)
+        for joint, reason in lost_tabs(plan.joints, walls, pieces):
+            plan.butt_after_all(joint, reason)
         plates = tuple(
             _plate(wall, outline, frame) for wall, outline in zip(walls, outlines, strict=True)
         )

@@ -19,7 +19,7 @@ import numpy as np
 import shapely
 
 from ...solver.values import Array
-from .errors import FabricationError
+from .narrow_places import TooNarrowError, narrow_place, room_mm
 from .plates import Plate
 
 #: Corners turned by less need no room, rad.
@@ -47,9 +47,24 @@ def relieved(plate: Plate, relief: str, tool_mm: float) -> list[Array]:
 
     Raises
     ------
-    FabricationError
+    TooNarrowError
         Naming the plate, where the cutter is too thick for a notch or hole.
     """
+    rings = _relieved(plate, relief, tool_mm)
+    if rings is not None:
+        return rings
+    room = room_mm(lambda tool: _relieved(plate, relief, tool) is not None, tool_mm)
+    raise TooNarrowError(
+        f"a notch or hole has no room for a cutter of {tool_mm:g} mm: one of {room:g} mm just "
+        "gets in",
+        plate,
+        narrow_place(plate.polygon, min(tool_mm, room + 0.05)),
+        "a thinner cutter, or wider fingers",
+    )
+
+
+def _relieved(plate: Plate, relief: str, tool_mm: float) -> list[Array] | None:
+    """The relieved rings; None where the cutter does not get in."""
     circles = [
         shapely.Point(spot).buffer(tool_mm / 2 * _CIRCUMSCRIBED, quad_segs=_QUARTER)
         for spot in relief_centres(plate, relief, tool_mm)
@@ -63,11 +78,7 @@ def relieved(plate: Plate, relief: str, tool_mm: float) -> list[Array]:
     back = grown.buffer(-reach, join_style="mitre", mitre_limit=20.0)
     missed = back.difference(plate.polygon)
     if cut.geom_type != "Polygon" or missed.area > 0.01 * tool_mm**2:
-        raise FabricationError(
-            f"a notch or hole has no room for a cutter of {tool_mm:g} mm",
-            (plate.id,),
-            "a thinner cutter, or wider fingers",
-        )
+        return None
     cut = shapely.geometry.polygon.orient(cut)
     return [np.array(ring.coords)[:-1] for ring in (cut.exterior, *cut.interiors)]
 

@@ -163,11 +163,11 @@ class Repair:
             best, gain = None, _LEAST_MM3
             for wall, some in tries[: max(0, self.left)]:
                 self.left -= 1
-                more = self._gain(wall, some)
+                more = self.gain(wall, some)
                 if more > gain:
                     best, gain = (wall, some), more
             if best is not None:
-                self._move(*best)
+                self.move(*best)
                 return True
         return False
 
@@ -191,7 +191,7 @@ class Repair:
         loose = [w for piece in given if piece.slack != NO_SLACK for w in piece.rivals[:1]]
         return {wall, *loose, *(piece.owner for piece in given)}
 
-    def _gain(self, wall: int, some: Sequence[int]) -> float:
+    def gain(self, wall: int, some: Sequence[int]) -> float:
         """How much more space a move fills, mm3."""
         pieces = self._given(wall, some)
         more = sum(
@@ -200,7 +200,13 @@ class Repair:
         )
         return float(more)
 
-    def _move(self, wall: int, some: Sequence[int]) -> None:
+    def outlines_after(self, wall: int, some: Sequence[int]) -> dict[int, Polygon]:
+        """The outlines that a move changes."""
+        pieces = self._given(wall, some)
+        return {w: self.cutter.outline(w, pieces) for w in sorted(self._changed(wall, some))}
+
+    def move(self, wall: int, some: Sequence[int]) -> None:
+        """Give some pieces to a wall."""
         changed = self._changed(wall, some)
         self.pieces, self._shares = self._given(wall, some), None
         for w in changed:

@@ -20,6 +20,8 @@ from shapely.geometry import Polygon
 from ...solver.values import Array
 from .cut_paths import CutPath, cut_path
 from .errors import FabricationError
+from .joints import Joint
+from .narrow_places import TooNarrowError
 from .packing import pack
 from .plates import Plate
 from .settings import USUAL_SHEETS_MM, PlateSettings
@@ -73,7 +75,10 @@ class Sheet:
 
 
 def lay_out(
-    plates: Sequence[Plate], settings: PlateSettings, marks: Marks | None = None
+    plates: Sequence[Plate],
+    settings: PlateSettings,
+    marks: Marks | None = None,
+    joints: Sequence[Joint] = (),
 ) -> tuple[Sheet, ...]:
     """Cut paths of all plates, laid out on as few sheets as can be found.
 
@@ -84,6 +89,8 @@ def lay_out(
         All about cutting and sheets is used.
     marks : mapping of plate id to strokes
         In the plate's frame, to be engraved besides its name.
+    joints : sequence of Joint
+        Between the plates: to name the edge where something is too narrow to be cut.
 
     Returns
     -------
@@ -95,7 +102,7 @@ def lay_out(
     FabricationError
         Where a plate is larger than the sheet, or a notch narrower than the kerf.
     """
-    paths, size = paths_that_fit(plates, settings)
+    paths, size = paths_that_fit(plates, settings, joints)
     sheets: list[Sheet] = []
     for thickness in sorted({path.thickness_mm for path in paths}):
         group = [path for path in paths if path.thickness_mm == thickness]
@@ -104,12 +111,15 @@ def lay_out(
 
 
 def paths_that_fit(
-    plates: Sequence[Plate], settings: PlateSettings
+    plates: Sequence[Plate], settings: PlateSettings, joints: Sequence[Joint] = ()
 ) -> tuple[list[CutPath], tuple[float, float]]:
     """The cut paths of plates, and the size of a sheet that takes each; raises as `lay_out`."""
-    paths = [
-        cut_path(plate, settings.kerf_mm, settings.relief, settings.tool_mm) for plate in plates
-    ]
+    try:
+        paths = [
+            cut_path(plate, settings.kerf_mm, settings.relief, settings.tool_mm) for plate in plates
+        ]
+    except TooNarrowError as error:
+        raise error.at_edges(joints, plates) from None
     size = settings.sheet_mm or _usual_sheet(paths, settings)
     _check_fit(paths, size, settings)
     return paths, size

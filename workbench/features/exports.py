@@ -43,7 +43,8 @@ def _laid_out(joined: Joined, settings: PlateSettings) -> tuple[Sheet, ...]:
     from ..fabrication.marks import edge_marks
     from ..fabrication.sheets import lay_out
 
-    return lay_out(joined.plates, settings, edge_marks(joined.plates, joined.joints))
+    marks = edge_marks(joined.plates, joined.joints)
+    return lay_out(joined.plates, settings, marks, joined.joints)
 
 
 def usual_formats(plate_set: Any) -> tuple[str, ...]:

@@ -190,7 +190,7 @@ def _why_not_cut(obj: Any, joined: Joined) -> str:
     from ..fabrication.sheets import paths_that_fit
 
     try:
-        paths_that_fit(joined.plates, settings_of(obj))
+        paths_that_fit(joined.plates, settings_of(obj), joined.joints)
     except known_problems() as error:
         return in_words(error)
     return ""

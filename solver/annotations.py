@@ -112,8 +112,29 @@ class OnFace:
     face: str
 
 
+@dataclass(frozen=True, slots=True)
+class Angle:
+    """Two edges meet at a vertex at some angle; said to the solver, never in a sketch file."""
+
+    kind: ClassVar[str] = "angle"
+    unit: ClassVar[str] = "deg"
+    targets: ClassVar[dict[str, str]] = {"at": "vertex", "between": "edge"}
+    arity: ClassVar[dict[str, tuple[int, int | None]]] = {"between": (2, 2)}
+    at: str
+    between: tuple[str, ...]
+    angle_deg: float
+
+
 Annotation = (
-    RightAngle | EqualLength | Parallel | Ground | SymmetryPlane | Length | Diameter | OnFace
+    RightAngle
+    | EqualLength
+    | Parallel
+    | Ground
+    | SymmetryPlane
+    | Length
+    | Diameter
+    | OnFace
+    | Angle
 )
 
 #: Every kind of annotation by its name in the file.
@@ -130,6 +151,9 @@ ANNOTATIONS: dict[str, type[Annotation]] = {
         OnFace,
     )
 }
+
+#: Those and what is only said to the solver.
+SAID: dict[str, type[Annotation]] = {**ANNOTATIONS, Angle.kind: Angle}
 
 
 def targets_of(annotation: Annotation) -> dict[str, tuple[str, ...]]:

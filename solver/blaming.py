@@ -17,7 +17,7 @@ from typing import Protocol
 
 import numpy as np
 
-from .annotations import Diameter, Length
+from .annotations import Angle, Diameter, Length
 from .diagnosis import (
     MANY_UNKNOWNS,
     KnownShape,
@@ -244,7 +244,7 @@ def _blame(
         f"with it the drawing is missed by {_few_digits(whole.rms * px)} px, "
         f"without it by {_few_digits(best.rms * px)} px"
     )
-    wish = isinstance(graph.annotations[ids[0]], Length | Diameter)
+    wish = isinstance(graph.annotations[ids[0]], Length | Diameter | Angle)
     if whole.converged and (wish or whole.rms < GROSS_RMS):
         return Blame(
             ids,

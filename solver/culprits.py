@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 
-from .annotations import Diameter, Length
+from .annotations import Angle, Diameter, Length
 from .blaming import (
     MAX_COORDINATES,
     MAX_NUMBERS,
@@ -31,7 +31,7 @@ from .problem import conditions_of
 from .starting.rescuing import lift_as_guessed, rescued
 from .structure import Structure, build_structure
 from .values import Stop
-from .wishes import drawn_shape, fulfilled, sizes_of
+from .wishes import drawn_shape, fulfilled, proportions_of
 
 #: Where the drawing is met so well (RMS, parts of its diagonal) without what is to blame, nothing
 #: else is looked for.
@@ -124,10 +124,9 @@ def _as_wished(
     """The shape with the sizes that keep the drawing from being met, where there are such."""
     if blamed is None and is_settled(lifted):
         return None
-    several, first = tuple(sizes_of(core))[1:], blamed.ids[:1] if blamed is not None else ()
-    tries = (
-        [first] if all(isinstance(core.annotations[i], Length | Diameter) for i in first) else []
-    )
+    several, first = proportions_of(core), blamed.ids[:1] if blamed is not None else ()
+    wishes_of_kind = Length | Diameter | Angle
+    tries = [first] if all(isinstance(core.annotations[i], wishes_of_kind) for i in first) else []
     # One alone would have been blamed; several may hide behind each other.
     tries += [several] if len(several) > 1 else []
     for wishes in tries:

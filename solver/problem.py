@@ -11,13 +11,14 @@ leftover constraint
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
 
-from .annotations import EqualLength, SymmetryPlane
+from .annotations import Angle, EqualLength, SymmetryPlane
 from .camera import Camera
 from .circles import DrawnCircles, drawn_circles
 from .energies import ENERGIES, Linearised
@@ -49,7 +50,7 @@ class Block:
     owners : tuple of str
         For each item the annotation (or face) that asks for it.
     wanted : (k, 2) array or None
-        Only for length_ratio.
+        Only for length_ratio and angle.
     """
 
     energy: str
@@ -184,11 +185,13 @@ def leftover_constraints(graph: SketchGraph, structure: Structure) -> tuple[Bloc
     blocks = []
     for name, entries in found.items():
         items, owners, lengths = zip(*entries, strict=True)
-        ratios = np.array(lengths, dtype=float) if name == "length_ratio" else None
-        blocks.append(Block(name, np.array(items, dtype=np.int64), tuple(owners), ratios))
+        wishes = np.array(lengths, dtype=float) if name in WITH_WANTED else None
+        blocks.append(Block(name, np.array(items, dtype=np.int64), tuple(owners), wishes))
     return tuple(blocks)
 
 
+#: Energies that take what is wanted.
+WITH_WANTED = ("length_ratio", "angle")
 _Item = tuple[str, tuple[int, ...], str, tuple[float, float]]
 _ONE = (1.0, 1.0)
 
@@ -218,6 +221,8 @@ class _Relations:
             yield from self.equal_lengths(id_, a)
         for id_, a in said["symmetry_plane"]:
             yield from self.symmetry(id_, a)
+        for id_, a in said["angle"]:
+            yield self.angle(id_, a)
         yield from self.lengths()
 
     def _ends(self, edge: str) -> tuple[int, int]:
@@ -248,6 +253,11 @@ class _Relations:
         differs = (spans != spans[0]).any(axis=1)
         for k in np.flatnonzero(differs).tolist():
             yield ("length_ratio", self._ends(a.edges[0]) + self._ends(a.edges[k]), id_, _ONE)
+
+    def angle(self, id_: str, a: Angle) -> _Item:
+        at, edges = self.topology.vertices[a.at], self.topology.edges
+        first, second = (self._from(at, edges[e]) for e in a.between)
+        return ("angle", first + second, id_, (math.radians(a.angle_deg), 0.0))
 
     def lengths(self) -> Iterator[_Item]:
         """Given lengths as ratios to the first one."""

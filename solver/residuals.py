@@ -8,7 +8,15 @@ from itertools import chain
 
 import numpy as np
 
-from .annotations import ANNOTATIONS, Annotation, Diameter, OnFace, RightAngle, SymmetryPlane
+from .annotations import (
+    SAID,
+    Angle,
+    Annotation,
+    Diameter,
+    OnFace,
+    RightAngle,
+    SymmetryPlane,
+)
 from .geometry import cross
 from .graph import Face, SketchGraph
 from .solution import Residual, Residuals, SolvedCircle
@@ -124,7 +132,7 @@ def _plan(topology: Topology) -> _Plan:
     units = [RightAngle.unit] * len(topology.annotations)
     for kind, at in topology.places.items():
         for place in at:
-            units[place] = ANNOTATIONS[kind].unit
+            units[place] = SAID[kind].unit
     lengths = [a for _, a in said["length"]]
     return _Plan(
         ids=topology.annotations,
@@ -139,7 +147,7 @@ def _plan(topology: Topology) -> _Plan:
         length_edges=indices(edges, [a.edge for a in lengths]),
         lengths_mm=np.array([a.length_mm for a in lengths], dtype=float),
         on_faces=tuple(said["on_face"]),
-        others=(*said["diameter"], *said["symmetry_plane"]),
+        others=(*said["diameter"], *said["symmetry_plane"], *said["angle"]),
     )
 
 
@@ -181,6 +189,10 @@ def _measure(
     if isinstance(annotation, SymmetryPlane):
         edges = [graph.edges[e] for e in annotation.midpoints_of]
         return _off_middle(np.array([[at[v], at[w]] for v, w in edges]))
+    if isinstance(annotation, Angle):
+        ends = (set(graph.edges[e]) - {annotation.at} for e in annotation.between)
+        u, v = (at[end.pop()] - at[annotation.at] for end in ends)
+        return abs(float(_angles_deg(u[None], v[None])[0]) - annotation.angle_deg)
     raise TypeError(f"no residual of {annotation.kind}")
 
 

@@ -29,6 +29,7 @@ from .graph import Revolution, SketchGraph
 from .merging import first_members, numbered
 from .named_faces import NamedFaces, named_faces
 from .topology import MAX_KEPT, Topology, topology_of, topology_with
+from .unlike_angles import angles_clash
 from .values import Array, BoolArray, IntArray
 
 
@@ -126,6 +127,7 @@ def _share(
     coordinate = _share_coordinates(topology, edge_axis, edge_across, vertical)
     edge_axis, edge_across, collapsed = _edges_by_coordinates(topology, coordinate)
     n_shared = int(coordinate.max()) + 1 if coordinate.size else 0
+    clash = angles_clash(topology, directions, edge_axis, edge_across)
     return Structure(
         directions=directions,
         edge_axis=edge_axis,
@@ -136,7 +138,7 @@ def _share(
         balances=_balances(topology, edge_axis, coordinate),
         vertical=vertical,
         has_axes=bool(axes),
-        contradiction=directions.contradiction or collapsed,
+        contradiction=directions.contradiction or collapsed or clash,
     )
 
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from .annotations import Diameter, EqualLength, Length
+from .annotations import Angle, Diameter, EqualLength, Length
 from .blaming import (
     GROSS_RMS,
     Blame,
@@ -206,7 +206,7 @@ def _missed(lifted: Lifted, rms: float) -> str:
 
 
 def _are_sizes(graph: SketchGraph, ids: tuple[str, ...]) -> bool:
-    sizes = (Length, Diameter, EqualLength)
+    sizes = (Length, Diameter, EqualLength, Angle)
     return len(ids) > 1 and all(isinstance(graph.annotations[i], sizes) for i in ids)
 
 

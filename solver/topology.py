@@ -18,7 +18,7 @@ from typing import Any
 
 import numpy as np
 
-from .annotations import ANNOTATIONS, Annotation, RightAngle
+from .annotations import SAID, Annotation, RightAngle
 from .graph import Face, Revolution, SketchGraph
 from .values import IntArray, forget_by, kept
 
@@ -114,7 +114,7 @@ def topology_with(graph: SketchGraph, annotations: Mapping[str, Annotation]) -> 
     square = [isinstance(a, RightAngle) for a in said]
     corners: list[Any] = [*compress(said, square)]
     is_square = np.frombuffer(bytes(square), dtype=bool)
-    by_kind: dict[str, list[tuple[str, Any]]] = {k: [] for k in ANNOTATIONS if k != RightAngle.kind}
+    by_kind: dict[str, list[tuple[str, Any]]] = {k: [] for k in SAID if k != RightAngle.kind}
     places: dict[str, list[int]] = {kind: [] for kind in by_kind}
     for place in np.flatnonzero(~is_square).tolist():
         kind = said[place].kind

@@ -10,6 +10,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
 
@@ -28,6 +29,7 @@ from .necker import fits_as_well, twin_of
 from .on_found_faces import solve_on_found_faces
 from .problem import conditions_of
 from .revolution import without_profiles
+from .said_angles import Corner, with_angles
 from .solution import Solution, Status
 from .structure import Structure, build_structure
 from .telling import clashing, describe, lost, nothing_to_lift, too_free
@@ -45,6 +47,7 @@ def solve(
     stop: Stop | None = None,
     progress: Progress | None = None,
     twin: bool = False,
+    angles_deg: Mapping[Corner, float] | None = None,
 ) -> Solution:
     """Lift a sketch graph to 3D and find the camera.
 
@@ -60,13 +63,22 @@ def solve(
         Told how far the solve is (0 to 1) and what is being done.
     twin : bool
         Give the other reading of the drawing, near and far exchanged, if there is one.
+    angles_deg : mapping of (edge id, edge id) to float, optional
+        Angles between edges that meet, said beside the sketch, degrees. What is told of them names
+        them ``angle e1 e2``.
 
     Returns
     -------
     Solution
         Always; how it went is told by its status and message.
+
+    Raises
+    ------
+    SketchError
+        Where `angles_deg` names edges that do not meet, or an angle that cannot be.
     """
     began = time.perf_counter()
+    sketch, graph = graph, with_angles(graph, angles_deg)
     with one_blas_thread, np.errstate(over="ignore", invalid="ignore", divide="ignore"):
         try:
             effort = Effort(stop, progress)
@@ -80,7 +92,8 @@ def solve(
     if not solution.is_bounded:
         solution = lost(graph)
     elapsed = (time.perf_counter() - began) * 1e3
-    return replace(solution, report=replace(solution.report, solve_ms=elapsed))
+    report = replace(solution.report, solve_ms=elapsed)
+    return replace(solution, sketch=sketch, report=report)
 
 
 def _solve(graph: SketchGraph, start: Solution | None, effort: Effort, *, twin: bool) -> Solution:

@@ -3,8 +3,9 @@
 Terms
 -----
 size
-    A length or a diameter that is said. The first one tells how big everything is, where no known
-    camera does; each further one is a proportion, which the drawing tells as well.
+    A length, a diameter or an angle that is said. The first length or diameter tells how big
+    everything is, where no known camera does; each further one is a proportion, which the drawing
+    tells as well, and so is each angle.
 wish
     A size that contradicts the drawing. It is no mistake but a design: the camera stays that of the
     drawing, and the shape is stretched, in steps, as if all edges were elastic bars: what need not
@@ -13,13 +14,14 @@ wish
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from operator import itemgetter
 
 import numpy as np
 
-from .annotations import Annotation, Diameter, Length
+from .annotations import Angle, Annotation, Diameter, Length
 from .blaming import HELD, is_settled
 from .diagnosis import freedoms, pose_in, without
 from .elastic import gentlest_step
@@ -47,7 +49,20 @@ def sizes_of(graph: SketchGraph) -> dict[str, bool]:
     said = topology_of(graph).by_kind
     found = {id_: a.edge in traced for id_, a in said["length"]}
     found |= {id_: a.circle in traced for id_, a in said["diameter"]}
-    return dict(sorted(found.items(), key=itemgetter(1), reverse=True))
+    found = dict(sorted(found.items(), key=itemgetter(1), reverse=True))
+    return found | {id_: traced.issuperset(a.between) for id_, a in said["angle"]}
+
+
+def proportions_of(graph: SketchGraph) -> tuple[str, ...]:
+    """The annotations that say sizes beyond the first, which only tells how big everything is."""
+    sizes = tuple(sizes_of(graph))
+    return sizes[_first_of(graph) is not None :]
+
+
+def _first_of(graph: SketchGraph) -> str | None:
+    """The annotation of the first length or diameter."""
+    first = next(iter(sizes_of(graph)), None)
+    return None if first is None or isinstance(graph.annotations[first], Angle) else first
 
 
 def _traced(graph: SketchGraph) -> frozenset[str]:
@@ -114,8 +129,9 @@ class _Scale:
 
     Parameters
     ----------
-    first : str
+    first : str or None
         The annotation of the size that is told in mm; all others are told by their ratios to it.
+        None where only angles are said: stretching least, everything stays as big as it is.
     unit_mm : float
         Of the shared coordinates.
     ground : int or None
@@ -123,26 +139,31 @@ class _Scale:
     level : float
     """
 
-    first: str
+    first: str | None
     unit_mm: float
     ground: int | None = None
     level: float = 1.0
 
     def rows(self, graph: SketchGraph, structure: Structure, x: Pose) -> tuple[Array, Array]:
         """How far the first size is off, and the ground, in parts; derivatives by coordinates."""
-        wanted = _said_mm(graph.annotations[self.first]) / self.unit_mm
-        size, by_g = _size_at(graph, structure, x, self.first)
-        h, H = [size / wanted - 1], [by_g / wanted]
+        h: list[float] = []
+        H: list[Array] = []
+        if self.first is not None:
+            wanted = _said(graph.annotations[self.first]) / self.unit_mm
+            size, by_g = _size_at(graph, structure, x, self.first)
+            h, H = [size / wanted - 1], [by_g / wanted]
         if self.ground is not None:
             h.append(float(x.g[self.ground]) / self.level - 1)
             H.append(np.eye(1, len(x.g), self.ground)[0] / self.level)
-        return np.array(h), np.array(H)
+        return np.array(h), np.array(H).reshape(len(h), len(x.g))
 
 
 def _scale_of(graph: SketchGraph, structure: Structure, x: Pose, eye_mm: float | None) -> _Scale:
-    first = next(iter(sizes_of(graph)))
+    first = _first_of(graph)
     if eye_mm is None or structure.vertical is None:
-        said_mm = _said_mm(graph.annotations[first])
+        if first is None:
+            return _Scale(None, 1.0)
+        said_mm = _said(graph.annotations[first])
         return _Scale(first, said_mm / _size_at(graph, structure, x, first)[0])
     # All of the ground shares one coordinate, and the eye is at the origin.
     ground = int(structure.coordinate[ground_indices(graph)[0], structure.vertical])
@@ -202,20 +223,27 @@ def _turns_over(full: FullProblem, before: Pose, after: Pose) -> bool:
 
 def _farthest(graph: SketchGraph, measured: Mapping[str, float]) -> float:
     """How far sizes are from those that are drawn: the range of the logarithms of their ratios."""
-    ratios = [_said_mm(graph.annotations[id_]) / size for id_, size in measured.items()]
+    ratios = [_said(graph.annotations[id_]) / size for id_, size in measured.items()]
     return float(np.ptp(np.log([1.0, *ratios])))
 
 
 def _measured_mm(
     graph: SketchGraph, structure: Structure, x: Pose, unit_mm: float
 ) -> Mapping[str, float]:
-    """What the sizes are in a pose."""
-    return {id_: unit_mm * _size_at(graph, structure, x, id_)[0] for id_ in sizes_of(graph)}
+    """What the sizes are in a pose, mm and degrees."""
+    units = {id_: _unit(graph.annotations[id_], unit_mm) for id_ in sizes_of(graph)}
+    return {id_: unit * _size_at(graph, structure, x, id_)[0] for id_, unit in units.items()}
+
+
+def _unit(annotation: Annotation, unit_mm: float) -> float:
+    return 180.0 / math.pi if isinstance(annotation, Angle) else unit_mm
 
 
 def _size_at(graph: SketchGraph, structure: Structure, x: Pose, id_: str) -> tuple[float, Array]:
-    """What an annotation's size measures, in the pose's unit, and its derivatives."""
+    """What an annotation's size measures, in the pose's unit or radians, and its derivatives."""
     said, topology, by_g = graph.annotations[id_], topology_of(graph), np.zeros(len(x.g))
+    if isinstance(said, Angle):
+        return _angle_at(graph, structure, x, id_), by_g
     if isinstance(said, Diameter):
         radius = structure.radius[topology.circles[said.circle]]
         by_g[radius] = 2.0
@@ -229,6 +257,15 @@ def _size_at(graph: SketchGraph, structure: Structure, x: Pose, id_: str) -> tup
     return size, by_g
 
 
+def _angle_at(graph: SketchGraph, structure: Structure, x: Pose, id_: str) -> float:
+    """What a corner measures, radians."""
+    (block,) = (b for b in build_problem(graph, structure).blocks if b.energy == "angle")
+    k = block.owners.index(id_)
+    assert block.wanted is not None
+    off = block.evaluate(x.g[structure.coordinate]).residual
+    return float(off[k] + block.wanted[k, 0])
+
+
 def _on_the_way(graph: SketchGraph, measured: Mapping[str, float], part: float) -> SketchGraph:
     """The graph with sizes between those that are drawn (part 0) and those that are said (1)."""
     if part == 1.0:
@@ -236,16 +273,20 @@ def _on_the_way(graph: SketchGraph, measured: Mapping[str, float], part: float) 
     changed: dict[str, Annotation] = {}
     for id_, size in measured.items():
         said = graph.annotations[id_]
-        wanted = float(size ** (1 - part) * _said_mm(said) ** part)
+        wanted = float(size ** (1 - part) * _said(said) ** part)
         if isinstance(said, Length):
             changed[id_] = replace(said, length_mm=wanted)
         elif isinstance(said, Diameter):
             changed[id_] = replace(said, diameter_mm=wanted)
+        elif isinstance(said, Angle):
+            changed[id_] = replace(said, angle_deg=wanted)
     return replace(graph, annotations={**graph.annotations, **changed})
 
 
-def _said_mm(annotation: Annotation) -> float:
-    """The size that an annotation says; 0 where it says none."""
+def _said(annotation: Annotation) -> float:
+    """The size that an annotation says, mm or degrees; 0 where it says none."""
+    if isinstance(annotation, Angle):
+        return annotation.angle_deg
     if isinstance(annotation, Length):
         return annotation.length_mm
     return annotation.diameter_mm if isinstance(annotation, Diameter) else 0.0

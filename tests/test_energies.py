@@ -14,12 +14,17 @@ BOX = np.array(
 )
 TRUE_ITEMS = {
     "right_angle": [(0, 1, 0, 3), (5, 1, 5, 6)],
+    "angle": [(0, 1, 0, 3), (0, 2, 0, 1), (1, 0, 1, 3)],
     "parallel": [(0, 1, 3, 2), (0, 4, 6, 2)],
     "length_ratio": [(0, 1, 7, 6), (1, 2, 1, 5)],
     "planarity": [(0, 1, 2, 8), (4, 5, 6, 7)],
     "symmetry": [(0, 1, 3, 2), (0, 1, 7, 6)],
 }
-WANTED = {"length_ratio": np.array([[3.0, 3.0], [2.0, 1.0]])}
+SLANTED = np.arctan2(2.0, 3.0)
+WANTED = {
+    "length_ratio": np.array([[3.0, 3.0], [2.0, 1.0]]),
+    "angle": np.array([[np.pi / 2, 0.0], [SLANTED, 0.0], [SLANTED, 0.0]]),
+}
 
 
 def evaluate(name, X):

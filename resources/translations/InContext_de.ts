@@ -132,6 +132,58 @@
         <translation>Ordner wählen</translation>
     </message>
     <message>
+        <source>Fix or free angle</source>
+        <translation>Winkel festlegen oder freigeben</translation>
+    </message>
+    <message>
+        <source>Fix the angle between two edges that meet, selected in 3D, to type it anew among the model's dimensions; a fixed one follows the drawing again</source>
+        <translation>Den Winkel zwischen zwei in 3D ausgewählten Kanten, die sich treffen, festlegen, um ihn unter den Maßen des Modells neu einzugeben; ein festgelegter folgt wieder der Zeichnung</translation>
+    </message>
+    <message>
+        <source>The angles that are said of this model's corners: two edges and the degrees between them</source>
+        <translation>Die Winkel, die für Ecken dieses Modells angegeben sind: zwei Kanten und die Grad zwischen ihnen</translation>
+    </message>
+    <message>
+        <source>an angle of {0} degrees between {1} and {2} cannot hold beside what else is said</source>
+        <translation>ein Winkel von {0} Grad zwischen {1} und {2} widerspricht dem, was sonst angegeben ist</translation>
+    </message>
+    <message>
+        <source>angle {} {}</source>
+        <translation>Winkel {} {}</translation>
+    </message>
+    <message>
+        <source>between {} and {} degrees: edges at 0 or 180 degrees lie on one line</source>
+        <translation>zwischen {} und {} Grad: Kanten bei 0 oder 180 Grad liegen auf einer Linie</translation>
+    </message>
+    <message>
+        <source>free that angle, or take {}</source>
+        <translation>diesen Winkel freigeben oder {} wählen</translation>
+    </message>
+    <message>
+        <source>no angle lies between these: select two drawn edges that meet</source>
+        <translation>zwischen diesen liegt kein Winkel: zwei gezeichnete Kanten auswählen, die sich treffen</translation>
+    </message>
+    <message>
+        <source>only right angles stand in a sketch; others are said of the model</source>
+        <translation>in einer Skizze stehen nur rechte Winkel; andere werden am Modell angegeben</translation>
+    </message>
+    <message>
+        <source>say them anew</source>
+        <translation>sie neu angeben</translation>
+    </message>
+    <message>
+        <source>take one of the others away first</source>
+        <translation>zuerst eine der anderen Angaben entfernen</translation>
+    </message>
+    <message>
+        <source>the model's angles are no JSON</source>
+        <translation>die Winkel des Modells sind kein JSON</translation>
+    </message>
+    <message>
+        <source>the papers' methods know no angle between {0} and {1} but a right one</source>
+        <translation>die Methoden der Veröffentlichungen kennen zwischen {0} und {1} nur einen rechten Winkel</translation>
+    </message>
+    <message>
         <source>{}: not a length, the old one stays.</source>
         <translation>{}: keine Länge, die alte bleibt.</translation>
     </message>
@@ -1842,10 +1894,6 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>auf dem Foto ist nichts nachgezeichnet, wozu es passen soll</translation>
     </message>
     <message>
-        <source>only shown: a sketch can say right angles, others follow from lengths</source>
-        <translation>nur angezeigt: eine Skizze kann rechte Winkel angeben, andere folgen aus Längen</translation>
-    </message>
-    <message>
         <source>only shown: to say it, draw an upright edge from the ground to there</source>
         <translation>nur angezeigt: um sie anzugeben, eine senkrechte Kante vom Boden dorthin zeichnen</translation>
     </message>
@@ -2896,10 +2944,6 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
     <message>
         <source>an angle of {0} degrees between {1} and {2}</source>
         <translation>ein Winkel von {0} Grad zwischen {1} und {2}</translation>
-    </message>
-    <message>
-        <source>only right angles can be said; others follow from lengths</source>
-        <translation>nur rechte Winkel lassen sich angeben; andere folgen aus Längen</translation>
     </message>
     <message>
         <source>nothing on the ground is known to be right below {}</source>

@@ -132,6 +132,58 @@
         <translation>フォルダーを選択</translation>
     </message>
     <message>
+        <source>Fix or free angle</source>
+        <translation>角度を固定または解除</translation>
+    </message>
+    <message>
+        <source>Fix the angle between two edges that meet, selected in 3D, to type it anew among the model's dimensions; a fixed one follows the drawing again</source>
+        <translation>3D で選択した、つながった 2 本のエッジの間の角度を固定し、モデルの寸法として入力し直せるようにします。固定済みの角度は再び図に従います</translation>
+    </message>
+    <message>
+        <source>The angles that are said of this model's corners: two edges and the degrees between them</source>
+        <translation>このモデルの角に指定された角度：2 本のエッジとその間の度数</translation>
+    </message>
+    <message>
+        <source>an angle of {0} degrees between {1} and {2} cannot hold beside what else is said</source>
+        <translation>{1} と {2} の間の角度 {0} 度は、ほかの指定と両立しません</translation>
+    </message>
+    <message>
+        <source>angle {} {}</source>
+        <translation>角度 {} {}</translation>
+    </message>
+    <message>
+        <source>between {} and {} degrees: edges at 0 or 180 degrees lie on one line</source>
+        <translation>{} から {} 度の間：0 度や 180 度のエッジは一直線に重なります</translation>
+    </message>
+    <message>
+        <source>free that angle, or take {}</source>
+        <translation>その角度を解除するか、{} を選んでください</translation>
+    </message>
+    <message>
+        <source>no angle lies between these: select two drawn edges that meet</source>
+        <translation>この間に角度はありません：描かれた、つながった 2 本のエッジを選択してください</translation>
+    </message>
+    <message>
+        <source>only right angles stand in a sketch; others are said of the model</source>
+        <translation>スケッチに書けるのは直角だけで、ほかの角度はモデルに指定します</translation>
+    </message>
+    <message>
+        <source>say them anew</source>
+        <translation>指定し直してください</translation>
+    </message>
+    <message>
+        <source>take one of the others away first</source>
+        <translation>先にほかの指定を 1 つ外してください</translation>
+    </message>
+    <message>
+        <source>the model's angles are no JSON</source>
+        <translation>モデルの角度が JSON ではありません</translation>
+    </message>
+    <message>
+        <source>the papers' methods know no angle between {0} and {1} but a right one</source>
+        <translation>論文の方法では {0} と {1} の間の角度は直角しか扱えません</translation>
+    </message>
+    <message>
         <source>{}: not a length, the old one stays.</source>
         <translation>{}: 長さではないため、元の値のままです。</translation>
     </message>
@@ -1842,10 +1894,6 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>合わせる物が写真でなぞられていません</translation>
     </message>
     <message>
-        <source>only shown: a sketch can say right angles, others follow from lengths</source>
-        <translation>表示のみ：スケッチで指定できるのは直角だけで、ほかの角度は長さから決まります</translation>
-    </message>
-    <message>
         <source>only shown: to say it, draw an upright edge from the ground to there</source>
         <translation>表示のみ：指定するには、地面からそこまで垂直なエッジを描いてください</translation>
     </message>
@@ -2896,10 +2944,6 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
     <message>
         <source>an angle of {0} degrees between {1} and {2}</source>
         <translation>{1} と {2} の間の {0} 度の角</translation>
-    </message>
-    <message>
-        <source>only right angles can be said; others follow from lengths</source>
-        <translation>指定できるのは直角だけです。ほかは長さから決まります</translation>
     </message>
     <message>
         <source>nothing on the ground is known to be right below {}</source>

@@ -1,4 +1,6 @@
-"""Angles between two edges that meet: measured at the corners of faces; right ones can be said.
+"""Angles between two edges that meet: measured at the corners of faces, and said.
+
+Right ones are annotations of the sketch; others are said beside it (`said_angles`).
 
 Terms
 -----
@@ -8,20 +10,22 @@ corner
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 
 import numpy as np
 
 from ..annotations import RightAngle
+from ..diagnosis.clashes import disagree, find_clash
 from ..editing.annotating import annotate, without_annotations
 from ..errors import SketchError
 from ..graph import SketchGraph
 from ..ids import need
+from ..revolution import without_profiles
+from ..said_angles import RIGHT_DEG, SAME_ANGLE_DEG, Corner, angle_id, need_angle, with_angles
 from ..solution import Solution
-
-Corner = tuple[str, str]
-RIGHT_DEG = 90.0
+from ..structure import build_structure
+from ..topology import topology_of
 
 
 def driving_angles_deg(graph: SketchGraph) -> Mapping[Corner, float]:
@@ -33,9 +37,21 @@ def driving_angles_deg(graph: SketchGraph) -> Mapping[Corner, float]:
     return MappingProxyType(dict.fromkeys(corners, RIGHT_DEG))
 
 
-def angles_deg(graph: SketchGraph, solution: Solution) -> Mapping[Corner, float]:
-    """The angles at the corners of the drawn faces and where one is said, degrees, 0 to 180."""
-    corners = list(dict.fromkeys((*_corners_of_faces(graph, solution), *driving_angles_deg(graph))))
+def angles_deg(
+    graph: SketchGraph, solution: Solution, more: Iterable[Corner] = ()
+) -> Mapping[Corner, float]:
+    """The angles at the corners of the drawn faces and where one is said, degrees, 0 to 180.
+
+    Parameters
+    ----------
+    graph : SketchGraph
+    solution : Solution
+    more : iterable of (edge id, edge id)
+        Other corners to measure, in the order of the graph.
+    """
+    corners = list(
+        dict.fromkeys((*_corners_of_faces(graph, solution), *driving_angles_deg(graph), *more))
+    )
     along = [_directions(graph, solution, corner) for corner in corners]
     d, e = np.array(along, dtype=float).reshape(-1, 2, 3).transpose(1, 0, 2)
     across = np.linalg.norm(np.cross(d, e), axis=1)
@@ -85,13 +101,53 @@ def set_angle(graph: SketchGraph, corner: Corner, angle_deg: float | None) -> Sk
                 if isinstance(a, RightAngle) and set(a.between) == set(corner)
             ),
         )
-    if abs(angle_deg - RIGHT_DEG) > 1e-9:
+    at = need_angle(graph, corner, angle_deg)
+    if abs(angle_deg - RIGHT_DEG) > SAME_ANGLE_DEG:
         raise SketchError(
             f"an angle of {angle_deg:g} degrees between {corner[0]} and {corner[1]}",
             corner,
-            "only right angles can be said; others follow from lengths",
+            "only right angles stand in a sketch; others are said of the model",
         )
-    shared = set(graph.edges[corner[0]]) & set(graph.edges[corner[1]])
-    if len(shared) != 1:
-        raise SketchError("edges that do not meet make no angle", corner, "two that meet")
-    return annotate(graph, RightAngle(shared.pop(), corner))[0]
+    return annotate(graph, RightAngle(at, corner))[0]
+
+
+def with_angle(
+    graph: SketchGraph, said: Mapping[Corner, float], corner: Corner, angle_deg: float
+) -> dict[Corner, float]:
+    """Angles said beside a sketch, with one more or another value of one.
+
+    What is said of corners between the same directions goes: these change together, and two
+    numbers for one angle would disagree.
+
+    Parameters
+    ----------
+    graph : SketchGraph
+    said : mapping of (edge id, edge id) to float
+    corner : (edge id, edge id)
+    angle_deg : float
+
+    Raises
+    ------
+    SketchError
+        Where the angle cannot be, whatever the drawing: it names what it contradicts.
+    """
+    need_angle(graph, corner, angle_deg)
+    together = _directions_of(graph, corner)
+    found = {c: a for c, a in said.items() if _directions_of(graph, c) != together}
+    found[corner] = angle_deg
+    core, before = (without_profiles(with_angles(graph, angles)) for angles in (found, said))
+    if disagree(core) and not disagree(before):
+        raise SketchError(
+            f"an angle of {angle_deg:g} degrees between {corner[0]} and {corner[1]} cannot hold "
+            "beside what else is said",
+            dict.fromkeys((angle_id(corner), *find_clash(core).ids)),
+            "take one of the others away first",
+        )
+    return found
+
+
+def _directions_of(graph: SketchGraph, corner: Corner) -> frozenset[int]:
+    """The classes of directions of two edges."""
+    topology = topology_of(graph)
+    class_of = build_structure(graph).directions.class_of
+    return frozenset(int(class_of[topology.edges[edge]]) for edge in corner)

@@ -15,6 +15,7 @@ the central difference; unchanged by a move of the gauge.
 
 from collections.abc import Callable
 
+from .angle import angle
 from .base import Linearised
 from .length_ratio import length_ratio
 from .parallel import parallel
@@ -22,9 +23,10 @@ from .planarity import planarity
 from .right_angle import right_angle
 from .symmetry import symmetry
 
-#: Energies by name; each takes (X, index array[, reference lengths]).
+#: Energies by name; each takes (X, index array[, wanted lengths or angles]).
 ENERGIES: dict[str, Callable[..., Linearised]] = {
     "right_angle": right_angle,
+    "angle": angle,
     "parallel": parallel,
     "length_ratio": length_ratio,
     "planarity": planarity,
@@ -34,6 +36,7 @@ ENERGIES: dict[str, Callable[..., Linearised]] = {
 __all__ = [
     "ENERGIES",
     "Linearised",
+    "angle",
     "length_ratio",
     "parallel",
     "planarity",

@@ -8,6 +8,7 @@ from .draw_plates import DrawPlates
 from .edit_sketch import EditSketch
 from .export_plates import ExportPlates
 from .export_print import ExportPrint
+from .fix_angle import FixAngle
 from .fix_length import FixLength
 from .import_sketch import ImportSketch
 from .lift import Lift
@@ -36,6 +37,7 @@ COMMANDS: tuple[type[Command], ...] = (
     ViewThroughPhoto,
     Lift,
     FixLength,
+    FixAngle,
     MakePlates,
     MakeShell,
     CheckFit,

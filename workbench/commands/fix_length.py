@@ -27,13 +27,13 @@ class FixLength(Command):
 
     def IsActive(self) -> bool:  # noqa: N802  FreeCAD's name
         """With edges or vertices of a lifted model selected."""
-        return bool(_selected_elements())
+        return bool(selected_elements())
 
     def run(self) -> None:
         """See the class."""
         from ..features.picking import dimension_at
 
-        for model, elements in _selected_elements():
+        for model, elements in selected_elements():
             found = [dimension_at(model, element) for element in elements]
             if None in found:
                 words = (
@@ -53,12 +53,11 @@ def fix_or_free(model: Any, dimensions: list[Dimension]) -> None:
         Where the sketch has no words for one of them.
     """
     from ..features import pipeline
-    from ..features.dimension_names import driving, measured
-    from ..features.dimensions import drive
+    from ..features.dimensions import drive, driving_and_measured
     from ..features.lifted_model import solution_of
 
     graph = pipeline.graph_of(model.PhotoSketch.Sketch)
-    said, sizes = driving(graph), measured(graph, solution_of(model))
+    said, sizes = driving_and_measured(model, graph, solution_of(model))
     free = all(dimension in said for dimension in dimensions)
     document = model.Document
     words = "Free size" if free else "Fix size"
@@ -69,7 +68,7 @@ def fix_or_free(model: Any, dimensions: list[Dimension]) -> None:
         document.recompute()
 
 
-def _selected_elements() -> list[tuple[Any, tuple[str, ...]]]:
+def selected_elements() -> list[tuple[Any, tuple[str, ...]]]:
     """Lifted models with their selected edges and vertices."""
     chosen = [
         (one.Object, tuple(n for n in one.SubElementNames if n.startswith(("Edge", "Vertex"))))

@@ -15,6 +15,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from ...solver.graph import SketchGraph
     from ...solver.solution import Solution
 
@@ -62,7 +64,8 @@ def dimension_named(name: str) -> Dimension | None:
             ids.append("")
         else:
             ids[-1] += _unsafe(token)
-    return Dimension(prefix, tuple(ids))
+    measures = 2 if prefix == ANGLE else 1
+    return Dimension(prefix, tuple(ids)) if len(ids) == measures else None
 
 
 def _safe(id_: str) -> str:
@@ -86,8 +89,10 @@ def driving(graph: SketchGraph) -> dict[Dimension, float]:
     return found | {Dimension(ANGLE, ids): a for ids, a in driving_angles_deg(graph).items()}
 
 
-def measured(graph: SketchGraph, solution: Solution) -> dict[Dimension, float]:
-    """What all dimensions came out as, mm and degrees."""
+def measured(
+    graph: SketchGraph, solution: Solution, corners: Iterable[tuple[str, str]] = ()
+) -> dict[Dimension, float]:
+    """What all dimensions came out as, mm and degrees; `corners` beside those of faces."""
     from ...solver.dimensions.angles import angles_deg
     from ...solver.dimensions.heights import heights_mm
     from ...solver.dimensions.lengths import sizes_mm
@@ -97,7 +102,8 @@ def measured(graph: SketchGraph, solution: Solution) -> dict[Dimension, float]:
         for id_, size in sizes_mm(solution).items()
     }
     found |= {Dimension(HEIGHT, (id_,)): h for id_, h in heights_mm(graph, solution).items()}
-    return found | {Dimension(ANGLE, ids): a for ids, a in angles_deg(graph, solution).items()}
+    angles = angles_deg(graph, solution, corners)
+    return found | {Dimension(ANGLE, ids): a for ids, a in angles.items()}
 
 
 def said(graph: SketchGraph, dimension: Dimension, value: float | None) -> SketchGraph:

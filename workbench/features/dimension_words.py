@@ -35,12 +35,8 @@ class Words:
         return f"{words}; {self._role(dimension, drives)}"
 
     def _role(self, dimension: Dimension, drives: bool) -> str:
-        if dimension.prefix == ANGLE:
-            words = (
-                "said to be right in the sketch"
-                if drives
-                else "only shown: a sketch can say right angles, others follow from lengths"
-            )
+        if dimension.prefix == ANGLE and self._is_square(dimension):
+            words = "said to be right in the sketch"
         elif drives:
             words = "type a value or an expression"
         elif dimension.prefix == HEIGHT and self._levels[dimension.ids[0]].upright is None:
@@ -48,6 +44,16 @@ class Words:
         else:
             words = "follows from the drawing and the other dimensions"
         return host.translate("InContext", words)
+
+    def _is_square(self, corner: Dimension) -> bool:
+        return set(corner.ids) in self._square
+
+    @cached_property
+    def _square(self) -> list[set[str]]:
+        """The corners that the sketch says to be right."""
+        from ...solver.dimensions.angles import driving_angles_deg
+
+        return [set(corner) for corner in driving_angles_deg(self._graph)]
 
     @cached_property
     def _levels(self) -> Mapping[str, Level]:

@@ -3,7 +3,8 @@
 What the sketch says of an edge drives and can be typed; every other dimension shows what came out,
 for reading only. A typed value is written into the sketch, where it is one more annotation or a
 new number in an old one. A value that an expression or a spreadsheet gives stays with the model: it
-takes the place of the sketch's own at each recompute, and nothing is written upstream.
+takes the place of the sketch's own at each recompute, and nothing is written upstream. So do
+angles other than right ones, for which sketches have no words.
 """
 
 from __future__ import annotations
@@ -26,12 +27,16 @@ from .dimension_names import (
 )
 from .dimension_words import Words
 from .methods import source_of
+from .model_angles import in_order, said_angles, say_angles, text_of
 from .properties import Editor
 from .proxy import is_edited
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from ...solver.graph import SketchGraph
     from ...solver.solution import Solution
+    from .model_angles import Corner
 
 DRIVING, SHOWN, ANGLES = "Dimensions", "Shown dimensions", "Shown dimensions: angles"
 
@@ -44,18 +49,39 @@ def driven_text(obj: Any) -> str:
     SketchError
         Where the text is no sketch, or an expression gives a size that cannot be.
     """
-    text = obj.PhotoSketch.Sketch
+    text, sizes = obj.PhotoSketch.Sketch, _given(obj)
+    angles = {d.ids: sizes.pop(d) for d in list(sizes) if d.prefix == ANGLE}
+    if sizes:
+        graph = pipeline.graph_of(text)
+        # What an expression gave to an element that is gone is taken away after the solve.
+        there = tuple(pair for pair in sizes.items() if _is_there(graph, pair[0]))
+        text = pipeline.resized_text(text, there) if there else text
+    return source_of(text, obj.Method, text_of(_angles(obj, angles)))
+
+
+def _given(obj: Any) -> dict[Dimension, float]:
+    """What expressions give."""
     bound = {name: dimension_named(name) for name in sorted(_bound_names(obj))}
-    given = [
-        (dimension, float(getattr(obj, name).Value))
+    return {
+        dimension: float(getattr(obj, name).Value)
         for name, dimension in bound.items()
         if dimension is not None and name in obj.PropertiesList
-    ]
-    graph = pipeline.graph_of(text) if given else None
-    # What an expression gave to an element that is gone is taken away after the solve.
-    there = tuple(pair for pair in given if _is_there(graph, pair[0]))
-    text = pipeline.resized_text(text, there) if there else text
-    return source_of(text, obj.Method)
+    }
+
+
+def _angles(obj: Any, given: Mapping[tuple[str, ...], float]) -> dict[Corner, float]:
+    """The angles that are said of the model, by a person or by an expression."""
+    said_of_it = said_angles(obj)
+    if not (said_of_it or given):
+        return {}
+    from ...solver.said_angles import need_angle
+
+    graph = pipeline.graph_of(obj.PhotoSketch.Sketch)
+    bound = {(first, second): angle for (first, second), angle in given.items()}
+    found = in_order(graph, {**said_of_it, **bound})
+    for corner, angle_deg in found.items():
+        need_angle(graph, corner, angle_deg)
+    return found
 
 
 def _is_there(graph: Any, dimension: Dimension) -> bool:
@@ -67,11 +93,15 @@ def _is_there(graph: Any, dimension: Dimension) -> bool:
 
 def show_dimensions(obj: Any, graph: SketchGraph, solution: Solution) -> None:
     """Give a lifted model the properties of its dimensions, with their values after a solve."""
-    drives, sizes, bound = driving(graph), measured(graph, solution), _bound_names(obj)
+    said_here, bound = _said_here(obj, graph), _bound_names(obj)
+    drives, sizes = driving_and_measured(obj, graph, solution)
     _remove_others(obj, {dimension.name for dimension in sizes})
     there, words = set(obj.PropertiesList), Words(graph, solution)
     for dimension, size in sizes.items():
-        name, is_driving = dimension.name, dimension in drives or dimension.name in bound
+        name = dimension.name
+        # Right angles are said in the sketch, by dozens.
+        typed = dimension in (said_here if dimension.prefix == ANGLE else drives)
+        is_driving = typed or name in bound
         group = _group_of(dimension, is_driving)
         if name not in there:
             kind = "App::PropertyAngle" if dimension.prefix == ANGLE else "App::PropertyLength"
@@ -82,11 +112,25 @@ def show_dimensions(obj: Any, graph: SketchGraph, solution: Solution) -> None:
             setattr(obj, name, value)
 
 
+def driving_and_measured(
+    obj: Any, graph: SketchGraph, solution: Solution
+) -> tuple[dict[Dimension, float], dict[Dimension, float]]:
+    """What a lifted model and its sketch say of dimensions, and what all came out as."""
+    said_here = _said_here(obj, graph)
+    return driving(graph) | said_here, measured(graph, solution, (d.ids for d in said_here))
+
+
+def _said_here(obj: Any, graph: SketchGraph) -> dict[Dimension, float]:
+    """The angles that a lifted model says of corners that are there."""
+    angles = in_order(graph, said_angles(obj))
+    return {Dimension(ANGLE, corner): angle for corner, angle in angles.items()}
+
+
 def _group_of(dimension: Dimension, is_driving: bool) -> str:
+    if is_driving:
+        return DRIVING
     # A sketch has dozens of angles, nearly all of them right: they would hide the sizes.
-    if dimension.prefix == ANGLE:
-        return ANGLES
-    return DRIVING if is_driving else SHOWN
+    return ANGLES if dimension.prefix == ANGLE else SHOWN
 
 
 def take_edit(obj: Any, name: str) -> None:
@@ -108,18 +152,39 @@ def take_edit(obj: Any, name: str) -> None:
 
 
 def drive(obj: Any, dimension: Dimension, value: float | None) -> None:
-    """Say a dimension in a model's sketch, in mm or degrees; None lets it follow again.
+    """Say a dimension, in mm or degrees; None lets it follow again.
+
+    Sizes and right angles are said in the model's sketch, other angles of the model.
 
     Raises
     ------
     SketchError
-        Where the value cannot be, or the sketch has no words for it.
+        Where the value cannot be, or there are no words for it.
     """
     from ...solver.serialise import sketch_to_text
 
     graph = pipeline.graph_of(obj.PhotoSketch.Sketch)
+    if dimension.prefix == ANGLE and _drive_angle(obj, graph, dimension, value):
+        return
     if driving(graph).get(dimension) != value:
         obj.PhotoSketch.Sketch = sketch_to_text(said(graph, dimension, value))
+
+
+def _drive_angle(obj: Any, graph: SketchGraph, dimension: Dimension, value: float | None) -> bool:
+    """Say or free an angle of the model; False where that is the sketch's to do."""
+    from ...solver.dimensions.angles import RIGHT_DEG, with_angle
+
+    first, second = dimension.ids
+    (corner,) = in_order(graph, {(first, second): 0.0}) or [(first, second)]
+    said_here = in_order(graph, said_angles(obj))
+    if corner not in said_here and value in (None, RIGHT_DEG):
+        return False
+    if value is None:
+        del said_here[corner]
+    elif said_here.get(corner) != value:
+        said_here = with_angle(graph, said_here, corner, value)
+    say_angles(obj, said_here)
+    return True
 
 
 def _bound_names(obj: Any) -> set[str]:

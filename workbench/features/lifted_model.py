@@ -11,6 +11,7 @@ from . import pipeline
 from .dimension_names import is_dimension
 from .dimensions import driven_text, show_dimensions, take_edit
 from .methods import METHOD
+from .model_angles import SAID
 from .properties import OUTCOME, Editor, Property, fail, set_outcome
 from .proxy import Proxy, is_of_type
 
@@ -28,6 +29,7 @@ class LiftedModel(Proxy):
     PROPERTIES = (
         Property("App::PropertyLink", "PhotoSketch", "Model", "The sketch that is lifted to 3D"),
         METHOD,
+        SAID,
         *OUTCOME,
         Property(
             "App::PropertyBool",

@@ -3,15 +3,16 @@
 Terms
 -----
 source
-    The text of a sketch, behind the name of a method where that is not the solver's own. All that
-    follows from a model follows from its source.
+    The text of a sketch, behind the name of a method where that is not the solver's own, and
+    behind the angles that are said of the model. All that follows from a model follows from it.
 slow
     The methods of papers: they search for seconds, or minutes.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from .. import host
@@ -37,18 +38,44 @@ METHOD = Property(
 )
 
 _BEHIND = "\n"
+_ANGLES = "angles "
 
 
-def source_of(sketch_text: str, method: str) -> str:
-    """A sketch's text to be lifted by a method."""
-    # JSON never begins like this.
-    return f"{SLOW[method]}{_BEHIND}{sketch_text}" if method in SLOW else sketch_text
+@dataclass(frozen=True, slots=True)
+class Parts:
+    """What a source says.
+
+    Parameters
+    ----------
+    method : str or None
+        The slow method, if one, by its name in `solver.reference`.
+    angles : str
+        What `model_angles.text_of` gives.
+    sketch : str
+        The sketch's text.
+    """
+
+    method: str | None
+    angles: str
+    sketch: str
 
 
-def parts_of(source: str) -> tuple[str | None, str]:
-    """The slow method, if one, and the sketch's text."""
-    name, _, text = source.partition(_BEHIND)
-    return (name, text) if name in SLOW.values() else (None, source)
+def source_of(sketch_text: str, method: str, angles: str = "") -> str:
+    """A sketch's text to be lifted by a method, with angles as `model_angles.text_of` gives."""
+    # JSON never begins like these.
+    behind = f"{_ANGLES}{angles}{_BEHIND}{sketch_text}" if angles else sketch_text
+    return f"{SLOW[method]}{_BEHIND}{behind}" if method in SLOW else behind
+
+
+def parts_of(source: str) -> Parts:
+    """The method, the angles and the sketch of a source."""
+    method, _, text = source.partition(_BEHIND)
+    if method not in SLOW.values():
+        method, text = "", source
+    angles, _, sketch = text.partition(_BEHIND)
+    if not angles.startswith(_ANGLES):
+        angles, sketch = "", text
+    return Parts(method or None, angles[len(_ANGLES) :], sketch)
 
 
 def choose_method(models: Iterable[Any], method: str) -> None:
@@ -71,10 +98,26 @@ def choose_method(models: Iterable[Any], method: str) -> None:
         document.recompute()
 
 
-def lift_slowly(graph: SketchGraph, name: str) -> Solution | None:
-    """The graph lifted by a method of a paper; None where a person stopped it."""
+def lift_slowly(
+    graph: SketchGraph, name: str, angles_deg: Mapping[tuple[str, str], float]
+) -> Solution | None:
+    """The graph lifted by a method of a paper; None where a person stopped it.
+
+    Raises
+    ------
+    SketchError
+        Where angles are said: the papers know right ones only.
+    """
+    from ...solver.errors import SketchError
     from ...solver.reference import METHODS
 
+    if angles_deg:
+        first = next(iter(angles_deg))
+        raise SketchError(
+            f"the papers' methods know no angle between {first[0]} and {first[1]} but a right one",
+            first,
+            f"free that angle, or take {OURS}",
+        )
     title = next(words for words, method in SLOW.items() if method == name)
     words = host.translate("InContext", "Lifting by the method {} ...").format(title)
 

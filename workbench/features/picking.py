@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from . import pipeline
-from .dimension_names import DIAMETER, HEIGHT, LENGTH, Dimension
+from .dimension_names import ANGLE, DIAMETER, HEIGHT, LENGTH, Dimension
 from .dimensions import driven_text
+from .model_angles import in_order
 
 if TYPE_CHECKING:
     from ...solver.solution import Solution
@@ -29,6 +30,16 @@ def dimension_at(obj: Any, element: str) -> Dimension | None:
     if element.startswith("Edge"):
         return _size_of(obj, shape, solution)
     return None
+
+
+def corner_at(obj: Any, elements: tuple[str, ...]) -> Dimension | None:
+    """The angle between two edges of the shape, by their names; None where they do not meet."""
+    found = [dimension_at(obj, element) for element in elements]
+    edges = [one.ids[0] for one in found if one is not None and one.prefix == LENGTH]
+    if len(edges) != 2 or len(found) != 2:
+        return None
+    corners = in_order(pipeline.graph_of(obj.PhotoSketch.Sketch), {(edges[0], edges[1]): 0.0})
+    return next((Dimension(ANGLE, corner) for corner in corners), None)
 
 
 def _height_at(obj: Any, point: Any, solution: Solution) -> Dimension | None:

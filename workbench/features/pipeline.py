@@ -10,7 +10,7 @@ imported on first use: opening FreeCAD must not wait for it.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -18,6 +18,7 @@ from .. import host
 from ..problems import StoppedError
 from .dimension_names import Dimension, said
 from .methods import lift_slowly, parts_of
+from .model_angles import Corner, angles_of
 
 if TYPE_CHECKING:
     from ...solver import Drag
@@ -39,7 +40,7 @@ def graph_of(sketch_text: str) -> SketchGraph:
     """The graph that a sketch's text, or a source, says; raises SketchError."""
     from ...solver.serialise import sketch_from_text
 
-    return sketch_from_text(parts_of(sketch_text)[1])
+    return sketch_from_text(parts_of(sketch_text).sketch)
 
 
 @lru_cache(maxsize=REMEMBERED)
@@ -72,9 +73,12 @@ def solution_of(source: str) -> Solution:
     if source in _stopped:
         raise StoppedError
     if source not in _solutions:
-        method, _ = parts_of(source)
-        graph = graph_of(source)
-        solution = _lift_in_sight(graph) if method is None else lift_slowly(graph, method)
+        parts, graph = parts_of(source), graph_of(source)
+        angles = angles_of(parts.angles)
+        if parts.method is None:
+            solution = _lift_in_sight(graph, angles)
+        else:
+            solution = lift_slowly(graph, parts.method, angles)
         if solution is None:
             _stopped.add(source)
             raise StoppedError
@@ -82,9 +86,9 @@ def solution_of(source: str) -> Solution:
     return _solutions[source]
 
 
-def _lift_in_sight(graph: SketchGraph) -> Solution | None:
+def _lift_in_sight(graph: SketchGraph, angles_deg: Mapping[Corner, float]) -> Solution | None:
     words = host.translate("InContext", "Lifting the sketch to 3D ...")
-    return host.work(words, lambda stop, progress: lift(graph, stop))
+    return host.work(words, lambda stop, progress: lift(graph, stop, angles_deg=angles_deg))
 
 
 def in_sight(words: str, make: Callable[..., T], *arguments: Any) -> T:
@@ -119,7 +123,10 @@ def remember_solution(sketch_text: str, solution: Solution) -> None:
 
 
 def lift(
-    graph: SketchGraph, stop: Callable[[], bool] | None = None, start: Solution | None = None
+    graph: SketchGraph,
+    stop: Callable[[], bool] | None = None,
+    start: Solution | None = None,
+    angles_deg: Mapping[Corner, float] | None = None,
 ) -> Solution:
     """The graph lifted to 3D.
 
@@ -130,10 +137,12 @@ def lift(
         Asked now and then whether to give up.
     start : Solution, optional
         Of the sketch before some small change.
+    angles_deg : mapping of (edge id, edge id) to float, optional
+        What the model says of corners beside the sketch.
     """
     from ...solver import solve
 
-    return solve(graph, start=start, stop=stop)
+    return solve(graph, start=start, stop=stop, angles_deg=angles_deg)
 
 
 def begin_drag(graph: SketchGraph, solution: Solution) -> Drag:

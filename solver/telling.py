@@ -224,7 +224,7 @@ def _what_would_help(core: SketchGraph, lifted: Lifted, open_: Freedoms) -> str:
     if unsaid and all(id_ in core.circles for id_ in open_.loose):
         return (
             f"{left}: give the diameter of {_and(unsaid[:4])}, or join circles of one axis "
-            "to a surface of revolution."
+            "to a surface of revolution (V)."
         )
     x = lifted.minimum.x
     corner = most_helpful_corner(core, lifted.full.positions(x) @ x.R.T, open_)

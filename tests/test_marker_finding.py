@@ -7,10 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from rectangles import PHOTO, SMALL, camera_at, corners_mm, seen
-from scipy.ndimage import gaussian_filter
+from scipy.ndimage import gaussian_filter, shift
 
 from incontext.solver import SketchError
-from incontext.workbench import marker_finding
+from incontext.workbench import marker_finding, marker_quads
 from incontext.workbench.marker_finding import camera_of_corners, marker_corners, seen_corners
 
 SQUARE = (100.0, 100.0)
@@ -147,3 +147,79 @@ def test_a_wrong_size_is_told_and_counted_as_unsure(size):
     assert wrong.is_off
     assert wrong.focal_sigma > 5 * right.view.focal_sigma
     assert any("check the size" in note for note in wrong.notes)
+
+
+def in_hard_shade(grey, corners, rng):
+    """A straight shadow's edge across the marker."""
+    v, u = np.mgrid[: grey.shape[0], : grey.shape[1]] + 0.5
+    middle, way = corners.mean(axis=0), rng.uniform(0, 2 * np.pi)
+    across = (u - middle[0]) * np.cos(way) + (v - middle[1]) * np.sin(way)
+    return np.where(across > rng.uniform(-30, 30), grey, rng.uniform(0.12, 0.5) * grey)
+
+
+def behind_blinds(grey, corners, rng):
+    """Stripes of shade."""
+    v, u = np.mgrid[: grey.shape[0], : grey.shape[1]] + 0.5
+    way = rng.uniform(0, 2 * np.pi)
+    across = (u * np.cos(way) + v * np.sin(way)) / rng.uniform(60, 100)
+    return np.where(across % 1 > 0.5, grey, 0.4 * grey)
+
+
+def under_a_lamp(grey, corners, rng):
+    """A spot of glare that hides a part of the pattern."""
+    v, u = np.mgrid[: grey.shape[0], : grey.shape[1]] + 0.5
+    at = corners.mean(axis=0) + rng.uniform(-40, 40, 2)
+    far = np.hypot(u - at[0], v - at[1])
+    return grey + 250 * np.exp(-(far**2) / (2 * 35.0**2))
+
+
+@pytest.mark.parametrize("spoil", [in_hard_shade, behind_blinds, under_a_lamp])
+@pytest.mark.parametrize("seed", range(3))
+def test_the_marker_is_found_where_light_cuts_into_it(spoil, seed):
+    pytest.importorskip("cv2")
+    rng = np.random.default_rng(seed)
+    camera = camera_at(rng.uniform(30, 70), rng.uniform(-180, 180), 420, 900, photo=SMALL)
+    grey, corners = seen(camera, SMALL, rng), camera.project(corners_mm(SQUARE))
+    grey = np.clip(spoil(grey, corners, rng), 0, 255)
+    found = camera_of_photo(SMALL, grey, SQUARE)
+    ways = [np.abs(np.roll(found.view.corners_px, k, axis=0) - corners).max() for k in range(4)]
+    assert min(ways) < max(0.3, 4 * found.seen.sigma_px)
+    assert min(ways) < 2
+    sure = 4 * found.view.focal_sigma
+    assert found.view.camera.focal_px == pytest.approx(900, rel=sure)
+
+
+def test_what_is_like_the_marker_but_another_one_is_not_taken_for_it():
+    cv2 = pytest.importorskip("cv2")
+    dictionary = cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_50)
+    square = np.array([[70, 70], [250, 80], [240, 260], [60, 250]], np.float32)
+    for number in range(50):
+        drawn = cv2.aruco.generateImageMarker(dictionary, number, 60)
+        drawn = cv2.copyMakeBorder(drawn, 10, 10, 10, 10, cv2.BORDER_CONSTANT, value=(255,))
+        inner = np.array([[10, 10], [70, 10], [70, 70], [10, 70]], np.float32)
+        to_photo = cv2.getPerspectiveTransform(inner, square)
+        grey = cv2.warpPerspective(drawn, to_photo, (320, 320), borderValue=(160,))
+        light = np.log(grey + 6.0).astype(np.float32)
+        alike = marker_quads.likeness(light, square.astype(float))
+        assert (alike > marker_quads.ALIKE) == (number == 0)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_shaken_photo_is_told_and_gives_the_camera_all_the_same(seed):
+    rng = np.random.default_rng(seed)
+    camera = camera_at(rng.uniform(30, 60), rng.uniform(-180, 180), 420, 900, photo=SMALL)
+    grey, corners = seen(camera, SMALL, rng), camera.project(corners_mm(SQUARE))
+    sharp = camera_of_photo(SMALL, grey, SQUARE, corners)
+    assert not sharp.seen.notes
+    way, px = rng.uniform(0, np.pi), 13
+    steps = np.linspace(-px / 2, px / 2, 27)
+    grey = np.mean(
+        [shift(grey, (t * np.sin(way), t * np.cos(way)), order=1) for t in steps], axis=0
+    )
+    found = camera_of_photo(SMALL, grey, SQUARE, corners)
+    assert any("blurred there" in note for note in found.notes)
+    assert found.seen.sigma_px > 1.5 * sharp.seen.sigma_px
+    ways = [np.abs(np.roll(found.view.corners_px, k, axis=0) - corners).max() for k in range(4)]
+    assert min(ways) < min(1.0, 3 * found.seen.sigma_px)
+    sure = 3 * found.view.focal_sigma
+    assert found.view.camera.focal_px == pytest.approx(900, rel=sure)

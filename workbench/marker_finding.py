@@ -14,7 +14,8 @@ import numpy as np
 from ..solver.errors import SketchError
 from ..solver.perspective.marker import RectangleView, camera_from_rectangle, ring_of
 from ..solver.problem import TRACED_SIGMA_PX
-from .photo_lines import FoundLine, refined_corners
+from .marker_quads import best_quad
+from .photo_lines import FoundCorners, FoundLine, refined_corners
 
 if TYPE_CHECKING:
     from ..solver.graph import Photo, Point
@@ -29,13 +30,15 @@ LEAST_SIGMA_PX = 0.1
 NOT_SEEN = (
     "No straight edges are seen between the corners, which are taken as they are: place them well."
 )
+#: Edges this blurred (standard deviation, px) are told; a shaken one is so many times as wide.
+TOLD_BLUR_PX, WIDTH = 2.5, 12**0.5
 #: How near those are that OpenCV finds, in parts of the longer side.
 FOUND_REACH = 0.004
 #: Where the marker is not seen at once: in a photo made so small, px; with paper seen within this
 #: part of it, all that is darker than these parts of the paper being black.
 EASY_PX = 1600.0
-PAPER_PARTS = (0.06, 0.15)
-BLACK_LEVELS = (0.3, 0.45, 0.6)
+PAPER_PARTS = (0.06, 0.15, 0.03)
+BLACK_LEVELS = (0.3, 0.45, 0.6, 0.75)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -97,7 +100,9 @@ def marker_corners(grey: Array) -> Array:
 
     dictionary = cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_50)
     detector = cv2.aruco.ArucoDetector(dictionary)
+    pictures = []
     for picture, shrunk in _pictures(np.clip(np.rint(grey), 0, 255).astype(np.uint8)):
+        pictures.append((picture, shrunk))
         corners, names, _ = detector.detectMarkers(picture)
         numbers = [] if names is None else names.ravel().tolist()
         own = [c for c, number in zip(corners, numbers, strict=True) if number == 0]
@@ -106,6 +111,10 @@ def marker_corners(grey: Array) -> Array:
         if own:
             # OpenCV counts from the middle of the first pixel.
             return (np.asarray(own[0], dtype=float).reshape(4, 2) + 0.5) * shrunk
+    calm, shrunk = pictures[1]
+    quad = best_quad(calm, (picture for picture, _ in pictures[2:]))
+    if quad is not None:
+        return (quad + 0.5) * shrunk
     raise SketchError(
         "no marker is seen in the photo", (), "a photo with all of it, or click its corners"
     )
@@ -169,9 +178,21 @@ def seen_corners(
         # A finger on a corner, or a shadow's edge, had it found beside.
         seen = refined_corners(grey, ring, CLICK_REACH * longer)
     if seen is not None:
-        return SeenCorners(seen.corners_px, max(LEAST_SIGMA_PX, seen.sigma_px), seen.sides)
+        sigma_px = max(LEAST_SIGMA_PX, seen.sigma_px)
+        return SeenCorners(seen.corners_px, sigma_px, seen.sides, _of_blur(seen))
     notes = () if exactly or grey is None else (NOT_SEEN,)
     return SeenCorners(ring, max(TRACED_SIGMA_PX, CLICK_SIGMA * longer), (), notes)
+
+
+def _of_blur(seen: FoundCorners) -> tuple[str, ...]:
+    """What is said where the photo is blurred."""
+    blur_px = max(side.blur_px for side in seen.sides)
+    if blur_px < TOLD_BLUR_PX:
+        return ()
+    return (
+        f"The photo is blurred there, edges are {WIDTH * blur_px:.0f} px wide: sizes are less "
+        "sure; take it with a steady hand, or in more light.",
+    )
 
 
 def camera_of_corners(photo: Photo, seen: SeenCorners, size_mm: tuple[float, float]) -> Found:

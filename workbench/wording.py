@@ -35,9 +35,9 @@ SENTENCES = (
     "{} freedom left: nothing is said to be square or parallel; begin with right angles at {}.",
     "{} freedoms left: nothing is said to be square or parallel; begin with right angles at {}.",
     "{} freedom left: give the diameter of {}, or join circles of one axis to a surface of "
-    "revolution.",
+    "revolution (V).",
     "{} freedoms left: give the diameter of {}, or join circles of one axis to a surface of "
-    "revolution.",
+    "revolution (V).",
     "If {} and {} are square at {}, saying so would help most.",
     "{} cannot all hold: take one of them away.",
     "{} cannot hold with what is said of the circles and the rest of the side: take one of these "
@@ -55,9 +55,12 @@ SENTENCES = (
     "The sketch has no edges: draw the object's edges over the photo.",
     "All vertices lie on one line: draw edges in at least two directions.",
     "No straight edges are seen between the corners, which are taken as they are: place them well.",
+    "The photo is blurred there, edges are {} px wide: sizes are less sure; take it with a steady "
+    "hand, or in more light.",
     "No camera takes photos of {} x {} px: where this one was cropped, sizes may be off by some "
     "percent: use the whole photo, or say where it looked in the photo's camera.",
-    "The corners are {} px off any rectangle of this size: check the size, and that it lies flat.",
+    "The corners are {} px off any rectangle of this size: check the size, that it lies flat, and "
+    "that the photo was not cropped.",
     "The rectangle is seen too square-on to tell the focal length, which is good to {} % only: "
     "take the photo from lower down, or keep its EXIF data.",
     "Seen from straight above, heights are hardly to be told: take the photo from lower down.",
@@ -67,6 +70,8 @@ SENTENCES = (
     "The corners do not tell which side is the longer one: check the grid on the ground, or keep "
     "the photo's EXIF data.",
     "The traced line {} is {} px ({} degrees) off the perspective of the rest: check it.",
+    "Several traced lines are off: where the photo was cropped, use the whole photo, or say where "
+    "it looked in the photo's camera.",
     "The traced lines {} are too nearly parallel in the photo to tell where they meet: trace "
     "others further apart, or use a marker.",
     "Lines on straight things bend by up to {} px ({}): the lens distorts, by {} % at the photo's "
@@ -82,11 +87,6 @@ SENTENCES = (
     "for a face.",
     "Where {} is flat, taking it for a face would help.",
     "Nothing is said to be square or parallel: begin with right angles at {}.",
-    "{} freedom left: give the diameter of {}, or join circles of one axis to a surface of "
-    "revolution.",
-    "{} freedoms left: give the diameter of {}, or join circles of one axis to a surface of "
-    "revolution.",
-    "If {} and {} are square at {}, saying so would help most.",
     "The traced lines meet as in a cropped photo: it was taken towards {} px, not {} px: say "
     "so in the photo's camera, or use the whole photo.",
 )

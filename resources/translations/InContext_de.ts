@@ -928,6 +928,14 @@
         <translation>Keine 3D-Form passt zu dieser Zeichnung; bitte die Angaben mit ihr vergleichen.</translation>
     </message>
     <message>
+        <source>Several traced lines are off: where the photo was cropped, use the whole photo, or say where it looked in the photo's camera.</source>
+        <translation>Mehrere nachgezogene Linien passen nicht: wurde das Foto beschnitten, bitte das ganze Foto nehmen oder in der Kamera des Fotos angeben, wohin es blickte.</translation>
+    </message>
+    <message>
+        <source>The photo is blurred there, edges are {} px wide: sizes are less sure; take it with a steady hand, or in more light.</source>
+        <translation>Das Foto ist dort unscharf, Kanten sind {} px breit: Größen sind weniger sicher; bitte mit ruhiger Hand oder bei mehr Licht fotografieren.</translation>
+    </message>
+    <message>
         <source>No camera takes photos of {} x {} px: where this one was cropped, sizes may be off by some percent: use the whole photo, or say where it looked in the photo's camera.</source>
         <translation>Keine Kamera macht Fotos von {} x {} px: wurde dieses beschnitten, können Maße um einige Prozent falsch sein: das ganze Foto nehmen oder bei der Kamera des Fotos sagen, wohin es blickte.</translation>
     </message>
@@ -1356,8 +1364,8 @@
         <translation>Das hat nicht geklappt:</translation>
     </message>
     <message>
-        <source>The corners are {} px off any rectangle of this size: check the size, and that it lies flat.</source>
-        <translation>Die Ecken liegen {} px neben jedem Rechteck dieser Größe: die Größe prüfen, und ob es flach liegt.</translation>
+        <source>The corners are {} px off any rectangle of this size: check the size, that it lies flat, and that the photo was not cropped.</source>
+        <translation>Die Ecken liegen {} px neben jedem Rechteck dieser Größe: die Größe prüfen, ob es flach liegt, und ob das Foto beschnitten ist.</translation>
     </message>
     <message>
         <source>The corners do not tell which side is the longer one: check the grid on the ground, or keep the photo's EXIF data.</source>
@@ -2190,8 +2198,8 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>Noch {} Freiheit: bitte einen rechten Winkel, eine Parallele oder einen Bodenpunkt bei {} angeben.</translation>
     </message>
     <message>
-        <source>{} freedom left: give the diameter of {}, or join circles of one axis to a surface of revolution.</source>
-        <translation>Noch {} Freiheit: bitte den Durchmesser von {} angeben oder Kreise einer Achse zu einer Drehfläche verbinden.</translation>
+        <source>{} freedom left: give the diameter of {}, or join circles of one axis to a surface of revolution (V).</source>
+        <translation>Noch {} Freiheit: bitte den Durchmesser von {} angeben oder Kreise einer Achse zu einer Drehfläche verbinden (V).</translation>
     </message>
     <message>
         <source>{} freedom left: nothing is said to be square or parallel; begin with right angles at {}.</source>
@@ -2202,8 +2210,8 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>Noch {} Freiheiten: bitte einen rechten Winkel, eine Parallele oder einen Bodenpunkt bei {} angeben.</translation>
     </message>
     <message>
-        <source>{} freedoms left: give the diameter of {}, or join circles of one axis to a surface of revolution.</source>
-        <translation>Noch {} Freiheiten: bitte den Durchmesser von {} angeben oder Kreise einer Achse zu einer Drehfläche verbinden.</translation>
+        <source>{} freedoms left: give the diameter of {}, or join circles of one axis to a surface of revolution (V).</source>
+        <translation>Noch {} Freiheiten: bitte den Durchmesser von {} angeben oder Kreise einer Achse zu einer Drehfläche verbinden (V).</translation>
     </message>
     <message>
         <source>{} freedoms left: nothing is said to be square or parallel; begin with right angles at {}.</source>

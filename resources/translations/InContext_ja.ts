@@ -928,6 +928,14 @@
         <translation>この図に合う 3D の形がありません。注釈を図と見比べてください。</translation>
     </message>
     <message>
+        <source>Several traced lines are off: where the photo was cropped, use the whole photo, or say where it looked in the photo's camera.</source>
+        <translation>なぞった線のいくつかがずれています。写真を切り抜いた場合は、元の写真全体を使うか、写真のカメラで視線の中心を指定してください。</translation>
+    </message>
+    <message>
+        <source>The photo is blurred there, edges are {} px wide: sizes are less sure; take it with a steady hand, or in more light.</source>
+        <translation>写真のその部分がぶれています(エッジの幅 {} px)。寸法の確かさが下がります。カメラを固定するか、明るい場所で撮影してください。</translation>
+    </message>
+    <message>
         <source>No camera takes photos of {} x {} px: where this one was cropped, sizes may be off by some percent: use the whole photo, or say where it looked in the photo's camera.</source>
         <translation>{} x {} px の写真を撮るカメラはありません。切り抜かれた写真なら寸法が数パーセントずれることがあります。元の写真を使うか、写真のカメラで視線の中心を指定してください。</translation>
     </message>
@@ -1356,8 +1364,8 @@
         <translation>うまくいきませんでした:</translation>
     </message>
     <message>
-        <source>The corners are {} px off any rectangle of this size: check the size, and that it lies flat.</source>
-        <translation>四隅はこの大きさのどの長方形からも {} px ずれています。大きさと、平らに置かれているかを確かめてください。</translation>
+        <source>The corners are {} px off any rectangle of this size: check the size, that it lies flat, and that the photo was not cropped.</source>
+        <translation>四隅はこの大きさのどの長方形からも {} px ずれています。大きさ、平らに置かれているか、写真が切り抜かれていないかを確かめてください。</translation>
     </message>
     <message>
         <source>The corners do not tell which side is the longer one: check the grid on the ground, or keep the photo's EXIF data.</source>
@@ -2190,8 +2198,8 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>自由度が {} 残っています。{} に直角、平行、地面の指定を加えてください。</translation>
     </message>
     <message>
-        <source>{} freedom left: give the diameter of {}, or join circles of one axis to a surface of revolution.</source>
-        <translation>自由度が {} 残っています。{} の直径を指定するか、同じ軸の円を回転体にまとめてください。</translation>
+        <source>{} freedom left: give the diameter of {}, or join circles of one axis to a surface of revolution (V).</source>
+        <translation>自由度が {} 残っています。{} の直径を指定するか、同じ軸の円を回転体にまとめてください (V)。</translation>
     </message>
     <message>
         <source>{} freedom left: nothing is said to be square or parallel; begin with right angles at {}.</source>
@@ -2202,8 +2210,8 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>自由度が {} 残っています。{} に直角、平行、地面の指定を加えてください。</translation>
     </message>
     <message>
-        <source>{} freedoms left: give the diameter of {}, or join circles of one axis to a surface of revolution.</source>
-        <translation>自由度が {} 残っています。{} の直径を指定するか、同じ軸の円を回転体にまとめてください。</translation>
+        <source>{} freedoms left: give the diameter of {}, or join circles of one axis to a surface of revolution (V).</source>
+        <translation>自由度が {} 残っています。{} の直径を指定するか、同じ軸の円を回転体にまとめてください (V)。</translation>
     </message>
     <message>
         <source>{} freedoms left: nothing is said to be square or parallel; begin with right angles at {}.</source>

@@ -95,7 +95,7 @@ class RectangleView:
         if self.is_off:
             found.append(
                 f"The corners are {self.misfit_px:.1f} px off any rectangle of this size: check "
-                "the size, and that it lies flat."
+                "the size, that it lies flat, and that the photo was not cropped."
             )
         if self.focal_from == "usual":
             found.append(

@@ -144,9 +144,11 @@ def _of_cropping(
     graph: SketchGraph, drawn: Array, along: Array, numbers: list[int], camera: Camera
 ) -> tuple[str, ...]:
     """Whether the lines tell that the photo was cropped, which nobody has said."""
-    if graph.photo is None or graph.camera is not None or graph.photo.principal_point_px:
+    if graph.photo is None or graph.photo.principal_point_px:
         return ()
     taken = np.array(graph.principal_point_px)
+    if graph.camera is not None and not np.allclose(graph.camera.principal_point_px, taken):
+        return ()
     found = view_middle(drawn, along, numbers, camera)
     longer = max(graph.photo.width_px, graph.photo.height_px)
     if found is None or not found.is_elsewhere(taken, longer):
@@ -247,6 +249,11 @@ def _notes(
         notes.append(
             f"The traced line {worst} is {line.off_px:.1f} px "
             f"({np.degrees(line.off_rad):.1f} degrees) off the perspective of the rest: check it."
+        )
+    if len(far) > 1 and graph.photo is not None and graph.photo.principal_point_px is None:
+        notes.append(
+            "Several traced lines are off: where the photo was cropped, use the whole photo, or "
+            "say where it looked in the photo's camera."
         )
     told = graph.camera is not None or (
         graph.photo is not None and graph.photo.focal_px is not None

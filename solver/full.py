@@ -342,7 +342,7 @@ class FullProblem:
         h, H = self.constraints(x)
         worst = float(np.abs(h).max(initial=0.0))
         for _ in range(MAX_RESTORING):
-            if worst < 1e-15:
+            if worst < EXACT:
                 break
             dg = smallest_step(h, H[:, N_CAMERA:])
             moved = Pose(x.R, x.log_focal, x.g + dg)

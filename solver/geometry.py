@@ -8,6 +8,15 @@ import numpy as np
 
 from .values import Array
 
+#: The matrices [u]x of u = x, y and z, (3, 9): u @ GENERATORS is [u]x, row by row.
+GENERATORS = np.array(
+    [
+        [[0.0, 0, 0], [0, 0, -1], [0, 1, 0]],
+        [[0, 0, 1], [0, 0, 0], [-1, 0, 0]],
+        [[0, -1, 0], [1, 0, 0], [0, 0, 0]],
+    ]
+).reshape(3, 9)
+
 
 def cross(u: Array, v: Array) -> Array:
     """Cross products of vectors (..., 3), broadcast.

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..values import Array
-from .base import TINY, IntArray, Linearised, gather, unit_vectors
+from .base import TINY, IntArray, Linearised, at_both_ends, two_edges
 
 
 def length_ratio(X: Array, pairs: IntArray, wanted: Array | None = None) -> Linearised:
@@ -26,14 +26,11 @@ def length_ratio(X: Array, pairs: IntArray, wanted: Array | None = None) -> Line
     wanted : (k, 2) array, optional
         L_u and L_v of each pair, mm; by default 1.
     """
-    if wanted is None:
-        wanted = np.ones((len(pairs), 2))
-    a, b, c, d = pairs.T
-    u, length_u = unit_vectors(X[b] - X[a])
-    v, length_v = unit_vectors(X[d] - X[c])
-    p, q = length_u / wanted[:, 0], length_v / wanted[:, 1]
-    total = np.maximum(p + q, TINY)
-    du = (2 * q / total**2 / wanted[:, 0])[:, None] * u
-    dv = (-2 * p / total**2 / wanted[:, 1])[:, None] * v
-    rows = np.arange(len(pairs))
-    return gather((p - q) / total, [(rows, b, du), (rows, a, -du), (rows, d, dv), (rows, c, -dv)])
+    units, lengths = two_edges(X, pairs)
+    measured = lengths if wanted is None else lengths / wanted
+    total = np.maximum(measured.sum(axis=1), TINY)
+    slopes = measured[:, ::-1] * (np.array([2.0, -2.0]) / total[:, None] ** 2)
+    if wanted is not None:
+        slopes /= wanted
+    r = (measured[:, 0] - measured[:, 1]) / total
+    return Linearised(r, pairs, at_both_ends(slopes[..., None] * units).reshape(-1, 3))

@@ -8,9 +8,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..geometry import cross
+from ..geometry import GENERATORS, cross
 from ..values import Array
-from .base import TINY, IntArray, Linearised, gather, unit_vectors
+from .base import TINY, IntArray, Linearised, at_both_ends, two_edges
+
+_SIGNS = np.array([[-1.0], [1.0]])
 
 
 def parallel(X: Array, pairs: IntArray) -> Linearised:
@@ -24,27 +26,11 @@ def parallel(X: Array, pairs: IntArray) -> Linearised:
     pairs : (k, 4) int array
         (a, b, c, d) for the edges a-b and c-d.
     """
-    a, b, c, d = pairs.T
-    u, length_u = unit_vectors(X[b] - X[a])
-    v, length_v = unit_vectors(X[d] - X[c])
-    du = -_cross_matrices(v) @ _projectors(u) / np.maximum(length_u, TINY)[:, None, None]
-    dv = _cross_matrices(u) @ _projectors(v) / np.maximum(length_v, TINY)[:, None, None]
-    rows = np.arange(3 * len(pairs))
-    a, b, c, d = (np.repeat(i, 3) for i in (a, b, c, d))
-    du, dv = du.reshape(-1, 3), dv.reshape(-1, 3)
-    terms = [(rows, b, du), (rows, a, -du), (rows, d, dv), (rows, c, -dv)]
-    return gather(cross(u, v).reshape(-1), terms)
-
-
-def _cross_matrices(u: Array) -> Array:
-    """[u]x with [u]x w = u x w, (k, 3, 3)."""
-    m = np.zeros((len(u), 3, 3))
-    m[:, 0, 1], m[:, 0, 2] = -u[:, 2], u[:, 1]
-    m[:, 1, 0], m[:, 1, 2] = u[:, 2], -u[:, 0]
-    m[:, 2, 0], m[:, 2, 1] = -u[:, 1], u[:, 0]
-    return m
-
-
-def _projectors(u: Array) -> Array:
-    """I - u u^T, (k, 3, 3)."""
-    return np.eye(3) - u[:, :, None] * u[:, None, :]
+    units, lengths = two_edges(X, pairs)
+    r = cross(units[:, 0], units[:, 1])
+    # [v]x u u^T = -r u^T and [u]x v v^T = r v^T, so that no matrices have to be multiplied.
+    turned = (_SIGNS * units[:, ::-1] @ GENERATORS).reshape(-1, 2, 3, 3)
+    by_edge = turned - r[:, None, :, None] * units[:, :, None]
+    by_edge /= np.maximum(lengths, TINY)[..., None, None]
+    by_edge = by_edge.transpose(0, 2, 1, 3).reshape(-1, 2, 3)
+    return Linearised(r.reshape(-1), pairs, at_both_ends(by_edge).reshape(-1, 3))

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..geometry import cross
 from ..values import Array
-from .base import TINY, IntArray, Linearised, gather, perpendicular_part, unit_vectors
+from .base import TINY, IntArray, Linearised, unit_vectors
 
 
 def planarity(X: Array, quads: IntArray) -> Linearised:
@@ -20,15 +20,13 @@ def planarity(X: Array, quads: IntArray) -> Linearised:
     quads : (k, 4) int array
         Three vertices that span the plane, and the one that lies in it.
     """
-    o, *others = quads.T
-    units, lengths = zip(*(unit_vectors(X[i] - X[o]) for i in others), strict=True)
-    r = np.einsum("ij,ij->i", units[0], cross(units[1], units[2]))
-    rows = np.arange(len(quads))
-    terms = []
-    at_origin = np.zeros((len(quads), 3))
-    for k, i in enumerate(others):
-        normal = cross(units[(k + 1) % 3], units[(k + 2) % 3])
-        d = perpendicular_part(units[k], normal) / np.maximum(lengths[k], TINY)[:, None]
-        terms.append((rows, i, d))
-        at_origin -= d
-    return gather(r, [*terms, (rows, o, at_origin)])
+    at = X[quads].transpose(1, 0, 2)
+    units, lengths = unit_vectors(at[1:] - at[0])
+    normals = cross(units[[1, 2, 0]], units[[2, 0, 1]])
+    # Each normal times its own direction is the same product.
+    r = np.einsum("ki,ki->k", units[0], normals[0])
+    value = np.empty((len(quads), 4, 3))
+    by_edge = (normals - r[:, None] * units) / np.maximum(lengths, TINY)[..., None]
+    value[:, 1:] = by_edge.transpose(1, 0, 2)
+    np.negative(by_edge.sum(axis=0), out=value[:, 0])
+    return Linearised(r, quads, value.reshape(-1, 3))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..values import Array
-from .base import TINY, IntArray, Linearised, gather, perpendicular_part, unit_vectors
+from .base import TINY, IntArray, Linearised, at_both_ends, two_edges
 
 
 def right_angle(X: Array, corners: IntArray) -> Linearised:
@@ -22,11 +22,7 @@ def right_angle(X: Array, corners: IntArray) -> Linearised:
     corners : (k, 4) int array
         Each edge as (from, to): (a, b, a', c); at one vertex a = a'.
     """
-    a, b, a2, c = corners.T
-    u, length_u = unit_vectors(X[b] - X[a])
-    v, length_v = unit_vectors(X[c] - X[a2])
-    r = np.einsum("ij,ij->i", u, v)
-    du = perpendicular_part(u, v) / np.maximum(length_u, TINY)[:, None]
-    dv = perpendicular_part(v, u) / np.maximum(length_v, TINY)[:, None]
-    rows = np.arange(len(corners))
-    return gather(r, [(rows, b, du), (rows, a, -du), (rows, c, dv), (rows, a2, -dv)])
+    units, lengths = two_edges(X, corners)
+    r = np.einsum("ki,ki->k", units[:, 0], units[:, 1])
+    by_edge = (units[:, ::-1] - r[:, None, None] * units) / np.maximum(lengths, TINY)[..., None]
+    return Linearised(r, corners, at_both_ends(by_edge).reshape(-1, 3))

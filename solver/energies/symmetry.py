@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..values import Array
-from .base import TINY, IntArray, Linearised, gather, perpendicular_part, unit_vectors
+from .base import TINY, IntArray, Linearised, unit_vectors
 
 
 def symmetry(X: Array, pairs: IntArray) -> Linearised:
@@ -20,18 +20,12 @@ def symmetry(X: Array, pairs: IntArray) -> Linearised:
     pairs : (k, 4) int array
         (a, b, c, d) for the edges a-b and c-d, which other residuals keep parallel.
     """
-    a, b, c, d = pairs.T
-    u, length = unit_vectors(X[b] - X[a])
+    (x0, x1, x2, x3) = X[pairs].transpose(1, 0, 2)
+    u, length = unit_vectors(x1 - x0)
     length = np.maximum(length, TINY)[:, None]
-    w = (X[c] + X[d] - X[a] - X[b]) / 2
-    r = np.einsum("ij,ij->i", u, w) / length[:, 0]
-    dw = u / length
-    du = perpendicular_part(u, w) / length**2 - r[:, None] * u / length
-    rows = np.arange(len(pairs))
-    terms = [
-        (rows, c, dw / 2),
-        (rows, d, dw / 2),
-        (rows, a, -dw / 2 - du),
-        (rows, b, -dw / 2 + du),
-    ]
-    return gather(r, terms)
+    w = (x2 + x3 - x0 - x1) / 2
+    r = np.einsum("ki,ki->k", u, w)[:, None]
+    half = u / (2 * length)
+    du = (w - 2 * r * u) / length**2
+    value = np.stack([-half - du, du - half, half, half], axis=1)
+    return Linearised((r / length)[:, 0], pairs, value.reshape(-1, 3))

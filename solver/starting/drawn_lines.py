@@ -16,6 +16,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from ..geometry import GENERATORS
 from ..merging import numbered
 from ..problem import Problem
 from ..structure import Structure
@@ -234,21 +235,12 @@ class Agreement:
         return np.asarray(np.einsum("km,km->k", r, r))
 
 
-_GENERATORS = np.array(
-    [
-        [[0.0, 0, 0], [0, 0, -1], [0, 1, 0]],
-        [[0, 0, 1], [0, 0, 0], [-1, 0, 0]],
-        [[0, -1, 0], [1, 0, 0], [0, 0, 0]],
-    ]
-).reshape(3, 9)
-
-
 def turns(vectors: Array) -> Array:
     """Rotations (k, 3, 3) by about so much (k, 3), by Cayley's formula: exact ones, to 2nd order.
 
     C = I + 2 (S + S S) / (1 + |a|^2), S = [a]x, a half the rotation vector.
     """
     a = vectors / 2
-    S = (a @ _GENERATORS).reshape(-1, 3, 3)
+    S = (a @ GENERATORS).reshape(-1, 3, 3)
     factor = 2.0 / (1.0 + np.einsum("ki,ki->k", a, a))
     return np.asarray(np.eye(3) + factor[:, None, None] * (S + S @ S))

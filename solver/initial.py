@@ -213,38 +213,44 @@ def _refine(
     drawn = Agreement(pencils)
     low, high = LOG_FOCAL_RANGE
     damping = np.full(len(R), 1e-3)
-    r, J = drawn.linearised(R, log_focals)
-    cost = np.einsum("km,km->k", r, r)
+    forms = drawn.forms(R, log_focals)
     for iteration in range(iterations):
-        if focal_known:
-            J[..., 3] = 0.0
-        turned = np.swapaxes(J, 1, 2)
-        A = turned @ J
-        diagonal = A.reshape(-1, 16)[:, ::5]
-        diagonal += damping[:, None] * (diagonal + 1e-9)
-        A[:, 3, 3] += float(focal_known)
-        step = np.asarray(-np.linalg.solve(A, turned @ r[..., None])[..., 0], dtype=np.float64)
+        step = _damped_steps(forms, damping, focal_known)
         new_R = R @ turns(step[:, :3])
         change = np.minimum(np.maximum(step[:, 3], -0.7), 0.7)
         new_log = np.minimum(np.maximum(log_focals + change, low), high)
-        new_r, new_J = drawn.linearised(new_R, new_log)
-        new_cost = np.einsum("km,km->k", new_r, new_r)
+        new_forms = drawn.forms(new_R, new_log)
+        cost, new_cost = forms[:, 4, 4], new_forms[:, 4, 4]
         better = new_cost <= cost
         settled = ~better | (cost - new_cost <= SETTLED * cost + 1e-30)
         if better.all():
-            R, log_focals, r, J, cost = new_R, new_log, new_r, new_J, new_cost
+            R, log_focals, forms = new_R, new_log, new_forms
             damping = np.maximum(damping / 10, 1e-12)
         else:
             settled &= better | (damping > 1.0)
-            R = np.where(better[:, None, None], new_R, R)
+            chosen = better[:, None, None]
+            R, forms = np.where(chosen, new_R, R), np.where(chosen, new_forms, forms)
             log_focals = np.where(better, new_log, log_focals)
-            r, J = np.where(better[:, None], new_r, r), np.where(better[:, None, None], new_J, J)
-            cost = np.where(better, new_cost, cost)
             damping = np.where(better, np.maximum(damping / 10, 1e-12), damping * 10)
         # The full step goes on from here: enough when the best view stands still.
-        if bool(settled.all()) or (iteration >= 3 and bool(settled[int(cost.argmin())])):
+        best = int(forms[:, 4, 4].argmin())
+        if bool(settled.all()) or (iteration >= 3 and bool(settled[best])):
             break
+    cost = forms[:, 4, 4]
     return [Start(*found) for found in zip(R, log_focals.tolist(), cost.tolist(), strict=True)]
+
+
+def _damped_steps(forms: Array, damping: Array, focal_known: bool) -> Array:
+    """Of several cameras, (k, 4)."""
+    A, b = forms[:, :4, :4].copy(), forms[:, :4, 4:]
+    if focal_known:
+        A[:, 3], A[:, :, 3], A[:, 3, 3] = 0.0, 0.0, 1.0
+        b = b * _TURN_ALONE
+    A.reshape(-1, 16)[:, ::5] += damping[:, None] * (A.reshape(-1, 16)[:, ::5] + 1e-9)
+    return np.asarray(-np.linalg.solve(A, b)[..., 0], dtype=np.float64)
+
+
+_TURN_ALONE = np.array([[1.0], [1.0], [1.0], [0.0]])
 
 
 def _same_views(R: Array, log_focals: Array) -> BoolArray:

@@ -193,6 +193,10 @@ def gathered(drawn: DrawnLines, weights: Array, log_focal: float) -> Pencils:
     )
 
 
+#: For each axis a, with n the normal in the axes: n . (omega x a) by omega, and twice n . a.
+_BY_NORMAL = np.array([[*GENERATORS[a].reshape(3, 3), *np.eye(3)[[a, a]]] for a in range(3)])
+
+
 class Agreement:
     """The residuals r_e = w_e N_e . D_e of several cameras at once."""
 
@@ -200,31 +204,29 @@ class Agreement:
         self.lines = pencils.lines
         self.weights = pencils.weights
         self.axes = pencils.axes
-        self._e = np.arange(len(self.axes))
         self._level = self.lines[:, 0] ** 2 + self.lines[:, 1] ** 2
         self._upright = self.lines[:, 2] ** 2
-        self._next, self._after = (self.axes + 1) % 3, (self.axes + 2) % 3
+        self._by_normal = _BY_NORMAL[self.axes]
 
-    def linearised(self, R: Array, log_focals: Array) -> tuple[Array, Array]:
-        """Residuals (k, m), and derivatives (k, m, 4) by a turn and by the log focal length.
+    def forms(self, R: Array, log_focals: Array) -> Array:
+        """J^T J, J^T r and r^T r of k cameras, (k, 5, 5): [J, r]^T [J, r].
 
-        The turn is of the object axes: R exp([turn]x).
+        J has the derivatives by a turn of the object axes, R exp([turn]x), and by the log focal
+        length.
         """
         f = np.exp(log_focals)[:, None]
         level = f * f * self._level
         size = np.maximum(level + self._upright, 1e-300)
         N = np.empty((len(R), len(self.axes), 3))
-        N[..., :2] = self.lines[:, :2] * f[..., None]
+        np.multiply(self.lines[:, :2], f[..., None], out=N[..., :2])
         N[..., 2] = self.lines[:, 2]
         N *= (self.weights / np.sqrt(size))[..., None]
-        in_axes = N @ R
-        r = in_axes[:, self._e, self.axes]
-        J = np.zeros((*r.shape, 4))
-        J[:, self._e, self._next] = -in_axes[:, self._e, self._after]
-        J[:, self._e, self._after] = in_axes[:, self._e, self._next]
+        both = np.einsum("mij,kmj->kmi", self._by_normal, N @ R)
         # N grows by its level part, and is then shortened to its length again.
-        J[..., 3] = r * (1.0 - level / size) - N[..., 2] * R[:, 2, self.axes]
-        return r, J
+        by_focal = both[..., 3]
+        by_focal *= 1.0 - level / size
+        by_focal -= N[..., 2] * R[:, 2].take(self.axes, axis=1)
+        return np.asarray(both.transpose(0, 2, 1) @ both)
 
     def costs(self, R: Array, log_focal: float) -> Array:
         """Sums of squares for k rotations at one focal length."""

@@ -40,7 +40,7 @@ MANY_LINES = 30
 #: of many lines by.
 REFINEMENTS, FEW_REFINEMENTS = 12, 2
 #: A gain of so little, in parts of the misfit, is none: the full step goes on from here.
-SETTLED = 1e-5
+SETTLED = 1e-3
 #: How much more it weighs that two edges are cut by one plane of symmetry than that a ray is met.
 BALANCE = 1e2
 #: Lines meet a camera exactly within this angle (rad, RMS).
@@ -234,7 +234,7 @@ def _refine(
             damping = np.where(better, np.maximum(damping / 10, 1e-12), damping * 10)
         # The full step goes on from here: enough when the best view stands still.
         best = int(forms[:, 4, 4].argmin())
-        if bool(settled.all()) or (iteration >= 3 and bool(settled[best])):
+        if bool(settled.all()) or (iteration >= 1 and bool(settled[best])):
             break
     cost = forms[:, 4, 4]
     return [Start(*found) for found in zip(R, log_focals.tolist(), cost.tolist(), strict=True)]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..values import Array
-from .base import TINY, IntArray, Linearised, gather, perpendicular_part, unit_vectors
+from .base import TINY, IntArray, Linearised, at_both_ends, two_edges, unit_vectors
 
 
 def angle(X: Array, corners: IntArray, wanted: Array) -> Linearised:
@@ -24,13 +24,9 @@ def angle(X: Array, corners: IntArray, wanted: Array) -> Linearised:
     wanted : (k, 2) array
         The angle w of each corner in radians, above 0 and below pi; the second column is not used.
     """
-    a, b, a2, c = corners.T
-    u, length_u = unit_vectors(X[b] - X[a])
-    v, length_v = unit_vectors(X[c] - X[a2])
-    from_u, sine = unit_vectors(perpendicular_part(u, v))
-    from_v, _ = unit_vectors(perpendicular_part(v, u))
-    r = np.arctan2(sine, np.einsum("ij,ij->i", u, v)) - wanted[:, 0]
-    du = -from_u / np.maximum(length_u, TINY)[:, None]
-    dv = -from_v / np.maximum(length_v, TINY)[:, None]
-    rows = np.arange(len(corners))
-    return gather(r, [(rows, b, du), (rows, a, -du), (rows, c, dv), (rows, a2, -dv)])
+    units, lengths = two_edges(X, corners)
+    cosine = np.einsum("ki,ki->k", units[:, 0], units[:, 1])
+    across, sines = unit_vectors(units[:, ::-1] - cosine[:, None, None] * units)
+    by_edge = -across / np.maximum(lengths, TINY)[..., None]
+    r = np.arctan2(sines[:, 0], cosine) - wanted[:, 0]
+    return Linearised(r, corners, at_both_ends(by_edge).reshape(-1, 3))

@@ -38,6 +38,13 @@ PACKAGES = (
     "xdotool",
     "imagemagick",
 )
+#: What is added to a root that is there already, in seconds: a change makes no root again.
+ADDED = (
+    # FreeCAD's FEM meshes by it.
+    "gmsh",
+    # What the window for missing packages runs.
+    "python3-pip",
+)
 #: Python packages that only check the source: not needed in a root.
 SOURCE_CHECKERS = ("ruff", "mypy")
 #: Where the Python packages lie in a root: apart from Debian's own, and before them.
@@ -110,6 +117,9 @@ def ensure(root: Root) -> None:
         if _stamp(root, "system") != _system_recipe(root):
             _make_system(root)
             _set_stamp(root, "system", _system_recipe(root))
+        if _stamp(root, "added") != " ".join(ADDED):
+            _retried(f"{root.suite}: {' and '.join(ADDED)}", lambda: _install(root, ADDED))
+            _set_stamp(root, "added", " ".join(ADDED))
         if _stamp(root, "python") != _python_recipe():
             _install_python(root)
             _set_stamp(root, "python", _python_recipe())
@@ -212,16 +222,20 @@ def _make_system(root: Root) -> None:
     partial = Root(root.freecad, new.name)
     _retried(f"{root.suite}: a minimal Debian", lambda: _debootstrap(root, new))
     _borrow_settings(new)
+    _retried(f"{root.suite}: FreeCAD", lambda: _install(partial, (*PACKAGES, *root.more)))
+    _remove(root.folder)
+    new.rename(root.folder)
+
+
+def _install(root: Root, packages: Sequence[str]) -> None:
+    """Packages of Debian, in a root that has one."""
     # Signatures are checked; a mirror that is some weeks behind will do.
     options = "-o Acquire::Retries=5 -o Acquire::Check-Valid-Until=false"
     options += " -o APT::Sandbox::User=root -o Dpkg::Use-Pty=0 -qq"
-    install = f"install --yes --no-install-recommends {' '.join((*PACKAGES, *root.more))}"
+    install = f"install --yes --no-install-recommends {' '.join(packages)}"
     script = f"apt-get {options} update && apt-get {options} {install} && apt-get clean"
     quiet = ["env", "DEBIAN_FRONTEND=noninteractive"]
-    entered = [*_enter(partial), *quiet, "sh", "-c", script]
-    _retried(f"{root.suite}: FreeCAD", lambda: _logged(new, entered))
-    _remove(root.folder)
-    new.rename(root.folder)
+    _logged(root.folder, [*_enter(root), *quiet, "sh", "-c", script])
 
 
 def _debootstrap(root: Root, folder: Path) -> None:

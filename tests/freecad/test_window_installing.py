@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import importlib
 import importlib.util
+import os
 import sys
+import zipfile
 
 import FreeCADGui
 import pytest
@@ -153,3 +156,74 @@ def test_installed_packages_come_first_only_while_ours_are_imported(monkeypatch,
     with host.own_packages_first():
         assert sys.path == [str(tmp_path), *before]
     assert sys.path == [*before, str(tmp_path)]
+
+
+PROBE = "incontext-probe"
+
+
+@pytest.fixture
+def shop(tmp_path, monkeypatch):
+    """A folder with one package, which is all that pip knows of: no network is asked."""
+    folder = tmp_path / "shop"
+    folder.mkdir()
+    info = "incontext_probe-1.0.dist-info"
+    files = {
+        "incontext_probe.py": "WORDS = 'installed by pip'\n",
+        f"{info}/METADATA": f"Metadata-Version: 2.1\nName: {PROBE}\nVersion: 1.0\n",
+        f"{info}/WHEEL": "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n",
+    }
+    files[f"{info}/RECORD"] = "".join(f"{name},,\n" for name in (*files, f"{info}/RECORD"))
+    with zipfile.ZipFile(folder / "incontext_probe-1.0-py3-none-any.whl", "w") as wheel:
+        for name, text in files.items():
+            wheel.writestr(name, text)
+    monkeypatch.setenv("PIP_CONFIG_FILE", os.devnull)
+    monkeypatch.setenv("PIP_NO_INDEX", "1")
+    monkeypatch.setenv("PIP_FIND_LINKS", str(folder))
+    yield folder
+    sys.modules.pop("incontext_probe", None)
+
+
+def offered(monkeypatch, wanted):
+    """The window for a package that is missing, as a command opens it, with its real command."""
+    made = []
+
+    def shown(window):
+        made.append(window)
+        window.show()
+        pump(0.2)
+        window.install_button.click()
+        wait_until(lambda: not window.is_working, 120)
+        pump(0.2)
+        return window.result() == QtGui.QDialog.Accepted
+
+    monkeypatch.setattr(asking, "shown", shown)
+    monkeypatch.setattr(packages, "requirements_for", lambda name: (wanted,))
+    error = ModuleNotFoundError("No module named 'incontext_probe'", name="incontext_probe")
+    return installing.offer_to_install(error), made[0]
+
+
+@pytest.fixture
+def own_packages(tmp_path, monkeypatch):
+    """An empty folder where FreeCAD looks for packages."""
+    folder = tmp_path / "packages"
+    monkeypatch.setattr(host, "packages_folder", lambda: str(folder))
+    monkeypatch.setattr(sys, "path", [*sys.path])
+    return folder
+
+
+def test_real_pip_installs_and_it_can_be_imported_at_once(shop, own_packages, monkeypatch):
+    installed, window = offered(monkeypatch, PROBE)
+    assert installed, window.words
+    assert (own_packages / "incontext_probe.py").is_file()
+    assert importlib.import_module("incontext_probe").WORDS == "installed by pip"
+    window.deleteLater()
+
+
+def test_real_pip_says_what_it_cannot_find(shop, own_packages, monkeypatch):
+    installed, window = offered(monkeypatch, "incontext-nowhere")
+    assert not installed
+    assert "incontext-nowhere" in window.words
+    assert window.isVisible()
+    assert not own_packages.exists() or not any(own_packages.iterdir())
+    window.close()
+    window.deleteLater()

@@ -1,9 +1,10 @@
 """package.xml says what FreeCAD's addon index asks for, each thing in its form and place.
 
 Own rules, after the documentation of the format: which elements there are, how often, and what
-may stand in them (`data/package.xsd`). The schema that FreeCAD's people publish describes a newer
-format, with another namespace, which FreeCAD up to 1.1 does not read; but for that our file keeps
-to it as well. FreeCAD's own reader is asked in `freecad/test_startup.py`.
+may stand in them (`data/package.xsd`). The schema that FreeCAD's people publish
+(Addon-Manifest-Schema) has another namespace, which FreeCAD up to 1.1 does not read; but for that
+our file keeps to it as well: what it wants of the package itself, and versions of three numbers.
+FreeCAD's own reader is asked in `freecad/test_startup.py`.
 """
 
 from __future__ import annotations
@@ -29,15 +30,15 @@ PACKAGE = {
     "version": (1, 1),
     "date": (1, 1),
     "maintainer": (1, MANY),
-    "author": (0, MANY),
+    "author": (1, MANY),
     "license": (1, MANY),
     "url": (2, MANY),
     "icon": (1, 1),
-    "tag": (0, MANY),
+    "tag": (3, MANY),
     "content": (1, 1),
-    "freecadmin": (0, 1),
+    "freecadmin": (1, 1),
     "freecadmax": (0, 1),
-    "pythonmin": (0, 1),
+    "pythonmin": (1, 1),
     "depend": (0, MANY),
 }
 WORKBENCH = {
@@ -53,7 +54,7 @@ WORKBENCH = {
     "description": (0, 1),
 }
 URLS = {"website", "repository", "bugtracker", "readme", "documentation", "discussion", "zip"}
-NUMBERS = re.compile(r"\d+\.\d+(\.\d+)?")
+NUMBERS = re.compile(r"(0|[1-9]\d*)(\.(0|[1-9]\d*)){2}")
 
 
 def name_of(element) -> str:
@@ -108,9 +109,10 @@ def test_the_class_is_the_one_that_freecad_gets(workbench):
     assert texts(workbench, "subdirectory") == ["./"]
 
 
-def test_versions_are_numbers(workbench):
+def test_versions_are_three_numbers_and_said_alike(package, workbench):
     for name in ("freecadmin", "pythonmin"):
-        assert all(NUMBERS.fullmatch(text) for text in texts(workbench, name))
+        assert texts(package, name) == texts(workbench, name)
+        assert all(NUMBERS.fullmatch(text) for text in texts(package, name))
 
 
 def test_files_that_are_named_are_there(package, workbench):
@@ -139,13 +141,14 @@ def test_addresses_have_the_form_that_the_addon_manager_takes(package):
     assert urls["readme"].text.endswith("README.md")
 
 
-def test_what_is_depended_on_is_what_the_project_needs(workbench):
+def test_what_is_depended_on_is_what_the_project_needs(package):
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     needed = {re.split(r"[<>=!~ ;\[]", line)[0].lower() for line in project["dependencies"]}
-    named = workbench.findall(SPACE + "depend")
+    named = package.findall(SPACE + "depend")
+    assert named
     assert {one.get("type") for one in named} == {"python"}
     assert {one.text.lower() for one in named} <= needed
-    for text in texts(workbench, "tag"):
+    for text in texts(package, "tag"):
         assert text == text.lower()
 
 

@@ -92,9 +92,12 @@ def test_freecad_reads_every_field_of_our_metadata_as_it_is_meant():
     assert [workbench.Classname] == classes
     assert workbench.Subdirectory == "./"
     assert (workbench.Name, workbench.Icon) == (read.Name, read.Icon)
-    assert workbench.Tag == [tag.text for tag in own.findall(f"{space}tag")]
-    depends = [one.text for one in own.findall(f"{space}depend")]
-    assert [one["package"] for one in workbench.Depend] == depends
+    assert read.Tag == [tag.text for tag in package.findall(f"{space}tag")]
+    depends = [one.text for one in package.findall(f"{space}depend")]
+    assert [one["package"] for one in read.Depend] == depends
+    assert depends
+    assert own.find(f"{space}classname").text == workbench.Classname
+    assert read.FreeCADMin.startswith("0.20")
     assert (ROOT / workbench.Icon).is_file()
     assert workbench.FreeCADMin.startswith("0.20")
     assert read.supportsCurrentFreeCAD()

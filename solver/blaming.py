@@ -11,7 +11,7 @@ blame
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Protocol
 
@@ -20,14 +20,18 @@ import numpy as np
 from .annotations import Angle, Diameter, Length
 from .diagnosis import (
     MANY_UNKNOWNS,
+    MAX_TRIED,
+    MAX_UNKNOWNS,
     KnownShape,
     Reading,
+    best_first,
     contradicts,
     convict,
     find_clash,
     leftover_suspects,
     pose_near,
     relax,
+    reliefs,
     spring_stiffness,
     without,
 )
@@ -175,8 +179,49 @@ def needs_a_closer_look(graph: SketchGraph, lifted: Candidate, *, dragging: bool
     far = SMALL_LOOK_RMS if small and not dragging else CLOSER_LOOK_RMS
     if drawing_rms(lifted) > far:
         return True
-    found = leftover_suspects(graph, lifted.full, lifted.minimum.x)
-    return bool(found) and found[0].weight > SUSPICIOUS
+    if dragging or _is_large(lifted):
+        found = leftover_suspects(graph, lifted.full, lifted.minimum.x)
+        return bool(found) and found[0].weight > SUSPICIOUS
+    return bool(relieving(graph, lifted, reading_of(graph, lifted)))
+
+
+def _is_large(lifted: Candidate) -> bool:
+    return 3 * (len(lifted.problem.points) + len(lifted.problem.circles)) > MAX_UNKNOWNS
+
+
+def relieving(graph: SketchGraph, lifted: Candidate, whole: Reading) -> list[str]:
+    """Annotations without which, to first order, the drawing is met better than chance allows."""
+    unit = drawn_diagonal(lifted.problem) ** 2
+    found = []
+    for relief in reliefs(graph, lifted.full, lifted.minimum.x):
+        misfit = max(whole.misfit - relief.gain / unit, 0.0)
+        n_free = whole.n_free + max(1, relief.freed)
+        part = replace(whole, misfit=misfit, n_free=n_free, plausible=True, converged=True)
+        if contradicts(whole, part):
+            found.append((part.information, relief.id))
+    return [id_ for _, id_ in sorted(found)]
+
+
+def blame_by_relief(graph: SketchGraph, lifted: Candidate, stop: Stop) -> Blame | None:
+    """Which annotation keeps a shape that all hold for from the drawing, if leaving it out shows.
+
+    Parameters
+    ----------
+    graph : SketchGraph
+    lifted : Candidate
+        Settled.
+    stop : callable
+    """
+    whole = reading_of(graph, lifted)
+    near = KnownShape.at(lifted.full, lifted.minimum.x)
+    shapes: dict[str, Candidate] = {}
+    tried: list[tuple[str, Reading]] = []
+    for id_ in relieving(graph, lifted, whole)[:MAX_TRIED]:
+        found = None if stop() else lift_near(without(graph, id_), near, stop)
+        if found is not None:
+            shapes[id_] = found
+            tried.append((id_, reading_of(without(graph, id_), found)))
+    return _blame_of(graph, lifted.problem, whole, best_first(tried), shapes, stop)
 
 
 def find_blame(
@@ -224,13 +269,24 @@ def find_blame(
         return reading
 
     tried = convict([(s.id, s.weight) for s in relaxed.suspects], attempt)
+    return _blame_of(graph, lifted.problem, whole, tried, shapes, stop)
+
+
+def _blame_of(
+    graph: SketchGraph,
+    problem: Problem,
+    whole: Reading,
+    tried: list[tuple[str, Reading]],
+    shapes: Mapping[str, Candidate],
+    stop: Stop,
+) -> Blame | None:
     against = [(id_, r) for id_, r in tried if contradicts(whole, r)]
     # With the right shape in sight, perhaps all annotations hold.
     again = _reading_again(graph, shapes[against[0][0]], stop) if against else None
     if again is not None and again.misfit < whole.misfit:
         whole = again
         against = [(id_, r) for id_, r in against if contradicts(whole, r)]
-    return _blame(graph, lifted.problem, whole, against) if against else None
+    return _blame(graph, problem, whole, against) if against else None
 
 
 def _blame(

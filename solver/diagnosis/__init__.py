@@ -1,13 +1,15 @@
 """What is left open, what disagrees, and how sure the result is."""
 
 from .again import KnownShape, pose_in, pose_near
-from .blame import Reading, contradicts, convict
+from .blame import CARELESS, MAX_TRIED, Reading, best_first, contradicts, convict
 from .clashes import clashing_annotations, disagree, find_clash, without
 from .freedoms import Freedoms, freedoms
 from .helpful import busiest_vertex, most_helpful_corner, says_directions
 from .precision import UNSURE_SIZE_SIGMA, StandardErrors, focal_sigma, standard_errors
+from .reliefs import reliefs
 from .suspects import (
     MANY_UNKNOWNS,
+    MAX_UNKNOWNS,
     Relaxed,
     beginnings,
     leftover_suspects,
@@ -17,7 +19,10 @@ from .suspects import (
 from .unmet import size_of, unmet_annotations
 
 __all__ = [
+    "CARELESS",
     "MANY_UNKNOWNS",
+    "MAX_TRIED",
+    "MAX_UNKNOWNS",
     "UNSURE_SIZE_SIGMA",
     "Freedoms",
     "KnownShape",
@@ -25,6 +30,7 @@ __all__ = [
     "Relaxed",
     "StandardErrors",
     "beginnings",
+    "best_first",
     "busiest_vertex",
     "clashing_annotations",
     "contradicts",
@@ -38,6 +44,7 @@ __all__ = [
     "pose_in",
     "pose_near",
     "relax",
+    "reliefs",
     "says_directions",
     "size_of",
     "spring_stiffness",

@@ -103,6 +103,11 @@ def convict(
         reading = attempt(id_)
         if reading is not None:
             tried.append((id_, reading))
+    return best_first(tried)
+
+
+def best_first(tried: Iterable[tuple[str, Reading]]) -> list[tuple[str, Reading]]:
+    """Readings that can be before others, those that follow the drawing with least freedom first."""
     return sorted(tried, key=lambda t: (not t[1].plausible, t[1].information))
 
 

@@ -287,7 +287,7 @@ def weigh(
     total = max(misfit, 0.0) + stiffness * float(h @ h) + 1e-300
     n = 2 * full.n_vertices + full.problem.circles.supports.size + len(h)
     found = []
-    for id_, rows in _rows_of(owners).items():
+    for id_, rows in rows_of_owners(owners).items():
         part = np.eye(len(rows)) * (1 + 1e-9) - leverage[np.ix_(rows, rows)]
         gain = stiffness * float(h[rows] @ np.linalg.solve(part, h[rows]))
         left = max(total - gain, 1e-6 * total)
@@ -298,7 +298,8 @@ def weigh(
     return [s for s in found if s.weight > 0]
 
 
-def _rows_of(owners: Sequence[tuple[str, ...]]) -> Mapping[str, list[int]]:
+def rows_of_owners(owners: Sequence[tuple[str, ...]]) -> Mapping[str, list[int]]:
+    """For each annotation the rows that it asks for."""
     rows: dict[str, list[int]] = {}
     for i, ids in enumerate(owners):
         for id_ in ids:

@@ -11,8 +11,8 @@ blame
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
 from typing import Protocol
 
 import numpy as np
@@ -74,6 +74,9 @@ class Candidate(Protocol):
     def minimum(self) -> Minimum[Pose]: ...
     @property
     def above(self) -> bool: ...
+
+
+Afresh = Callable[[str], Candidate | None]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -189,48 +192,56 @@ def _is_large(lifted: Candidate) -> bool:
     return 3 * (len(lifted.problem.points) + len(lifted.problem.circles)) > MAX_UNKNOWNS
 
 
-def relieving(graph: SketchGraph, lifted: Candidate, whole: Reading) -> list[str]:
-    """Annotations without which, to first order, the drawing is met better than chance allows."""
+def relieving(
+    graph: SketchGraph, lifted: Candidate, whole: Reading, *, any_: bool = False
+) -> list[str]:
+    """Annotations without which, to first order, the drawing is met better than chance allows.
+
+    Parameters
+    ----------
+    graph : SketchGraph
+    lifted : Candidate
+    whole : Reading
+        Of it.
+    any_ : bool
+        Whether chance may do as much: from far away first order tells little.
+    """
     unit = drawn_diagonal(lifted.problem) ** 2
     found = []
     for relief in reliefs(graph, lifted.full, lifted.minimum.x):
         misfit = max(whole.misfit - relief.gain / unit, 0.0)
         n_free = whole.n_free + max(1, relief.freed)
         part = replace(whole, misfit=misfit, n_free=n_free, plausible=True, converged=True)
-        if contradicts(whole, part):
+        if any_ or contradicts(whole, part):
             found.append((part.information, relief.id))
     return [id_ for _, id_ in sorted(found)]
 
 
-def blame_by_relief(graph: SketchGraph, lifted: Candidate, stop: Stop) -> Blame | None:
-    """Which annotation keeps a shape that all hold for from the drawing, if leaving it out shows.
+def blame_by_relief(
+    graph: SketchGraph, lifted: Candidate, stop: Stop, afresh: Afresh
+) -> Blame | None:
+    """Which annotation keeps a shape from the drawing, where leaving it out shows that at once.
 
     Parameters
     ----------
     graph : SketchGraph
     lifted : Candidate
-        Settled.
-    stop : callable
+        The best shape found so far.
+    stop, afresh : callable
+        As for `find_blame`.
     """
     whole = reading_of(graph, lifted)
-    near = KnownShape.at(lifted.full, lifted.minimum.x)
-    shapes: dict[str, Candidate] = {}
-    tried: list[tuple[str, Reading]] = []
-    for id_ in relieving(graph, lifted, whole)[:MAX_TRIED]:
-        found = None if stop() else lift_near(without(graph, id_), near, stop)
-        if found is not None:
-            shapes[id_] = found
-            tried.append((id_, reading_of(without(graph, id_), found)))
-    return _blame_of(graph, lifted.problem, whole, best_first(tried), shapes, stop)
+    trials = _Trials(graph, whole, KnownShape.at(lifted.full, lifted.minimum.x), stop, afresh)
+    for id_ in relieving(graph, lifted, whole, any_=trials.far)[:MAX_TRIED]:
+        trials.near(id_)
+    if trials.explained and trials.far:
+        # From here a shape may be out of reach.
+        trials.lost_ones_afresh()
+    return _blame_of(graph, lifted.problem, trials)
 
 
 def find_blame(
-    graph: SketchGraph,
-    lifted: Candidate,
-    stop: Stop,
-    afresh: Callable[[str], Candidate | None],
-    *,
-    lost: bool,
+    graph: SketchGraph, lifted: Candidate, stop: Stop, afresh: Afresh, *, lost: bool
 ) -> Blame | None:
     """Which annotation contradicts the drawing and the others, if one does.
 
@@ -249,40 +260,67 @@ def find_blame(
     relaxed = relax(graph, lifted.problem, lifted.minimum.x, stop, lost=lost)
     if relaxed is None:
         return None
-    shapes: dict[str, Candidate] = {}
-    whole = reading_of(graph, lifted)
-    far = whole.rms > CLOSER_LOOK_RMS
+    trials = _Trials(graph, reading_of(graph, lifted), relaxed.shape, stop, afresh)
+    convict([(s.id, s.weight) for s in relaxed.suspects], trials.near)
+    if trials.far:
+        trials.lost_ones_afresh()
+    return _blame_of(graph, lifted.problem, trials)
 
-    def attempt(id_: str) -> Reading | None:
-        if stop():
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Trials:
+    """Solves without one annotation each, and what they came to."""
+
+    graph: SketchGraph
+    whole: Reading
+    known: KnownShape
+    stop: Stop
+    afresh: Afresh
+    shapes: dict[str, Candidate | None] = field(default_factory=dict)
+    readings: dict[str, Reading] = field(default_factory=dict)
+
+    @property
+    def far(self) -> bool:
+        """Whether the drawing is missed by so much that something has to be wrong."""
+        return self.whole.rms > CLOSER_LOOK_RMS
+
+    @property
+    def explained(self) -> bool:
+        """Whether one of them follows the drawing."""
+        return any(r.explains for r in self.readings.values())
+
+    def near(self, id_: str) -> Reading | None:
+        """Begun from the shape that is known."""
+        if self.stop():
             return None
-        rest = without(graph, id_)
-        found: Candidate | None = lift_near(rest, relaxed.shape, stop)
-        reading = None if found is None else reading_of(rest, found)
-        if far and (reading is None or not reading.explains):
-            other = afresh(id_)
-            again = None if other is None else reading_of(rest, other)
-            if again is not None and (reading is None or again.explains):
-                found, reading = other, again
-        if found is not None:
-            shapes[id_] = found
-        return reading
+        return self._seen(id_, lift_near(without(self.graph, id_), self.known, self.stop))
 
-    tried = convict([(s.id, s.weight) for s in relaxed.suspects], attempt)
-    return _blame_of(graph, lifted.problem, whole, tried, shapes, stop)
+    def lost_ones_afresh(self) -> None:
+        """Begun from nothing, where no shape was found nearby; until one explains the drawing."""
+        explained = self.explained
+        for id_ in list(self.shapes):
+            reading = self.readings.get(id_)
+            hopeless = explained and reading is not None and reading.plausible
+            if not (self.stop() or hopeless or (reading is not None and reading.explains)):
+                again = self._seen(id_, self.afresh(id_))
+                if not explained and again is not None and again.explains:
+                    break
+
+    def _seen(self, id_: str, found: Candidate | None) -> Reading | None:
+        reading = None if found is None else reading_of(without(self.graph, id_), found)
+        if id_ not in self.readings or (reading is not None and reading.explains):
+            self.shapes[id_] = found
+            if reading is not None:
+                self.readings[id_] = reading
+        return self.readings.get(id_)
 
 
-def _blame_of(
-    graph: SketchGraph,
-    problem: Problem,
-    whole: Reading,
-    tried: list[tuple[str, Reading]],
-    shapes: Mapping[str, Candidate],
-    stop: Stop,
-) -> Blame | None:
-    against = [(id_, r) for id_, r in tried if contradicts(whole, r)]
+def _blame_of(graph: SketchGraph, problem: Problem, trials: _Trials) -> Blame | None:
+    whole = trials.whole
+    against = [(i, r) for i, r in best_first(trials.readings.items()) if contradicts(whole, r)]
     # With the right shape in sight, perhaps all annotations hold.
-    again = _reading_again(graph, shapes[against[0][0]], stop) if against else None
+    near = trials.shapes[against[0][0]] if against else None
+    again = None if near is None else _reading_again(graph, near, trials.stop)
     if again is not None and again.misfit < whole.misfit:
         whole = again
         against = [(id_, r) for id_, r in against if contradicts(whole, r)]

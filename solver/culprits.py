@@ -13,7 +13,6 @@ from .blaming import (
     blame_for_clash,
     blame_for_wishes,
     find_blame,
-    is_held,
     is_settled,
     needs_a_closer_look,
     reading_of,
@@ -85,14 +84,13 @@ def _most_to_blame(core: SketchGraph, lifted: Lifted, effort: Effort) -> Blame |
     """Looked for from here, and from other beginnings where that does not explain the drawing."""
     afresh = partial(_lift_without, core, effort=effort)
     found: list[Blame] = []
-    if is_held(lifted):
-        relieved = blame_by_relief(core, lifted, effort)
-        if relieved is not None and relieved.rms < CARELESS:
-            return relieved
+    relieved = blame_by_relief(core, lifted, effort, afresh)
+    if relieved is not None and relieved.rms < CARELESS:
+        return relieved
     for lost in (True, False) if lifted.doubtful else (False, True):
         blamed = find_blame(core, lifted, effort, afresh, lost=lost)
         found += [] if blamed is None else [blamed]
-        if found and found[0].rms < EXPLAINED_RMS:
+        if found and found[0].rms < CARELESS:
             break
     return min(found, key=lambda b: b.information, default=None)
 

@@ -24,6 +24,8 @@ COMPARABLE = 0.25
 #: probability, and the drawing is missed by at least this part of its diagonal (RMS): half a pixel.
 CHANCE, CHANCE_AS_DRAWN = 1e-5, 2e-3
 NOTICEABLE = 0.005
+#: Among many vertices as well a few that are off: as much as eight would be by that.
+NOTICEABLE_FALL = 8 * NOTICEABLE**2
 #: Less is noticed, down to half a pixel, where the drawing is met so many times better without.
 LEAST_NOTICEABLE, CLEARLY = 0.0007, 3.0
 #: How many observations the knowledge of how people draw counts for.
@@ -107,7 +109,7 @@ def convict(
 
 
 def best_first(tried: Iterable[tuple[str, Reading]]) -> list[tuple[str, Reading]]:
-    """Readings that can be before others, those that follow the drawing with least freedom first."""
+    """Readings that can be before others; those that follow with least freedom first."""
     return sorted(tried, key=lambda t: (not t[1].plausible, t[1].information))
 
 
@@ -119,10 +121,15 @@ def contradicts(whole: Reading, part: Reading) -> bool:
     """
     freed = max(1, part.n_free - whole.n_free)
     spare = part.n_observed - part.n_free
-    seen = whole.rms > NOTICEABLE or whole.rms > max(LEAST_NOTICEABLE, CLEARLY * part.rms)
+    fall = max(whole.misfit - part.misfit, 0.0)
+    seen = (
+        whole.rms > NOTICEABLE
+        or fall > NOTICEABLE_FALL
+        or whole.rms > max(LEAST_NOTICEABLE, CLEARLY * part.rms)
+    )
     if not part.plausible or spare < 1 or not seen:
         return False
-    gain = max(whole.misfit - part.misfit, 0.0) / freed
+    gain = fall / freed
     left = part.misfit + part.n_observed * FINEST**2
     usual = (HAND_SIGMA**2 / 2 * USUAL_COUNT + left) / (USUAL_COUNT + spare)
     by_itself = fdtrc(freed, spare, gain / (left / spare))

@@ -13,11 +13,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Protocol
 
 import numpy as np
 
-from .annotations import Angle, Diameter, Length
+from .annotations import Angle, Diameter, Length, targets_of
 from .diagnosis import (
     MANY_UNKNOWNS,
     MAX_TRIED,
@@ -52,6 +53,8 @@ SUSPICIOUS = 12.0
 GROSS_RMS = 0.03
 #: So many are named where none is proved to be false.
 MOST_SUSPECTS = 3
+#: Readings whose information differs by less explain a drawing equally well.
+TIE = 0.5
 #: Iterations from a shape that is known already.
 NEAR_ITERATIONS = 40
 #: Constraints whose residuals (radians, parts of a length) are below this hold.
@@ -257,11 +260,13 @@ def find_blame(
     lost : bool
         Whether the best shape is so bad that it is no place to look around from.
     """
-    relaxed = relax(graph, lifted.problem, lifted.minimum.x, stop, lost=lost)
-    if relaxed is None:
-        return None
-    trials = _Trials(graph, reading_of(graph, lifted), relaxed.shape, stop, afresh)
-    convict([(s.id, s.weight) for s in relaxed.suspects], trials.near)
+    whole, shape = reading_of(graph, lifted), KnownShape.at(lifted.full, lifted.minimum.x)
+    trials = _Trials(graph, whole, shape, stop, afresh)
+    for relaxed in relax(graph, lifted.problem, lifted.minimum.x, stop, lost=lost):
+        trials = replace(trials, known=relaxed.shape)
+        convict([(s.id, s.weight) for s in relaxed.suspects], trials.near)
+        if trials.explained or not trials.far:
+            break
     if trials.far:
         trials.lost_ones_afresh()
     return _blame_of(graph, lifted.problem, trials)
@@ -298,9 +303,10 @@ class _Trials:
     def lost_ones_afresh(self) -> None:
         """Begun from nothing, where no shape was found nearby; until one explains the drawing."""
         explained = self.explained
-        for id_ in list(self.shapes):
+        for k, id_ in enumerate(list(self.shapes)):
             reading = self.readings.get(id_)
-            hopeless = explained and reading is not None and reading.plausible
+            lost = reading is None or not reading.plausible or k < MOST_SUSPECTS
+            hopeless = explained and not lost
             if not (self.stop() or hopeless or (reading is not None and reading.explains)):
                 again = self._seen(id_, self.afresh(id_))
                 if not explained and again is not None and again.explains:
@@ -332,7 +338,8 @@ def _blame(
 ) -> Blame:
     best = against[0][1]
     fall = whole.information - best.information
-    ids = tuple(id_ for id_, r in against if whole.information - r.information > fall / 2)
+    named = [(id_, r) for id_, r in against if whole.information - r.information > fall / 2]
+    ids = tuple(id_ for id_, _ in sorted(named, key=partial(_order, graph, best)))
     px = drawn_diagonal(problem) * problem.px_per_unit
     missed = (
         f"with it the drawing is missed by {_few_digits(whole.rms * px)} px, "
@@ -356,12 +363,22 @@ def _blame(
     )
 
 
+def _order(
+    graph: SketchGraph, best: Reading, named: tuple[str, Reading]
+) -> tuple[float, bool, int]:
+    """Where the drawing tells two apart by no more than chance, a wish and what says less first."""
+    annotation, more = graph.annotations[named[0]], named[1].information - best.information
+    elements = sum(len(ids) for ids in targets_of(annotation).values())
+    wish = isinstance(annotation, Length | Diameter | Angle)
+    return (0.0 if more < TIE else more, not wish, elements)
+
+
 def suspicion(graph: SketchGraph, lifted: Candidate, stop: Stop) -> Blame | None:
     """What to look at first where the drawing is grossly missed and nothing explains why."""
     rms = drawing_rms(lifted)
     if rms <= GROSS_RMS:
         return None
-    relaxed = relax(graph, lifted.problem, lifted.minimum.x, stop, lost=True)
+    relaxed = next(relax(graph, lifted.problem, lifted.minimum.x, stop, lost=True), None)
     if relaxed is None or not relaxed.suspects:
         return None
     ids = tuple(s.id for s in relaxed.suspects[:MOST_SUSPECTS])

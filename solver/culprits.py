@@ -35,9 +35,6 @@ from .structure import Structure, build_structure
 from .values import Stop
 from .wishes import drawn_shape, fulfilled, proportions_of
 
-#: Where the drawing is met so well (RMS, parts of its diagonal) without what is to blame, nothing
-#: else is looked for.
-EXPLAINED_RMS = 0.0035
 #: So many annotations are left out, at most, to show a shape where they clash.
 MAX_CULPRITS = 4
 #: Of more edges and annotations than these nobody draws, one is left out.
@@ -83,16 +80,12 @@ def lift_or_blame(
 def _most_to_blame(core: SketchGraph, lifted: Lifted, effort: Effort) -> Blame | None:
     """Looked for from here, and from other beginnings where that does not explain the drawing."""
     afresh = partial(_lift_without, core, effort=effort)
-    found: list[Blame] = []
     relieved = blame_by_relief(core, lifted, effort, afresh)
     if relieved is not None and relieved.rms < CARELESS:
         return relieved
-    for lost in (True, False) if lifted.doubtful else (False, True):
-        blamed = find_blame(core, lifted, effort, afresh, lost=lost)
-        found += [] if blamed is None else [blamed]
-        if found and found[0].rms < CARELESS:
-            break
-    return min(found, key=lambda b: b.information, default=None)
+    found = find_blame(core, lifted, effort, afresh, lost=lifted.doubtful)
+    either = [b for b in (relieved, found) if b is not None]
+    return min(either, key=lambda b: b.information, default=None)
 
 
 def _with_lean(
@@ -133,7 +126,8 @@ def _as_wished(
     wishes_of_kind = Length | Diameter | Angle
     tries = [first] if all(isinstance(core.annotations[i], wishes_of_kind) for i in first) else []
     # One alone would have been blamed; several may hide behind each other.
-    tries += [several] if len(several) > 1 else []
+    explained = blamed is not None and blamed.rms < CARELESS
+    tries += [several] if len(several) > 1 and not explained else []
     for wishes in tries:
         drawn = drawn_shape(core, wishes, stop) if wishes else None
         found = None if drawn is None else fulfilled(core, structure, drawn, stop)

@@ -153,8 +153,9 @@ def podium(rng: np.random.Generator) -> Shape:
     loops: list[tuple[int, ...]] = []
     for k in range(int(rng.integers(2, 4))):
         h = rng.uniform(30, 90)
-        X += [[x, y, up] for up in (z, z + h)
-              for x, y in ((low[0], low[1]), (high[0], low[1]), high, (low[0], high[1]))]  # fmt: skip
+        (x0, y0), (x1, y1) = low, high
+        ring = [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
+        X += [[x, y, up] for up in (z, z + h) for x, y in ring]
         # Nobody sees what it stands on, but for the ground.
         seen = BOX_LOOPS[1:] if k else BOX_LOOPS
         loops += [tuple(8 * k + i for i in loop) for loop in seen]

@@ -43,6 +43,9 @@ YIELDS, LONG_ITERATIONS = (5 * YIELD, YIELD, 100 * YIELD), 15
 MANY_UNKNOWNS = 100
 #: Iterations to compare beginnings, and to go on from the best one; views of each beginning.
 FIRST_ITERATIONS, ITERATIONS, VIEWS = 4, 6, 3
+#: From so many beginnings it goes on, until what is to blame is found; those are the same whose
+#: energies differ by less than this part.
+BEST_BEGINNINGS, SAME_ENERGY = 3, 1e-3
 #: Which kinds of annotations have a say in where the soft problem begins: one false one spoils all
 #: that follows from it.
 KINDS_OF_BEGINNINGS = ((RightAngle, Parallel, SymmetryPlane), (RightAngle,))
@@ -76,8 +79,8 @@ class Relaxed:
 
 def relax(
     graph: SketchGraph, problem: Problem, pose: Pose, stop: Stop, *, lost: bool
-) -> Relaxed | None:
-    """Let the annotations give way, and see which one does most.
+) -> Iterator[Relaxed]:
+    """Let the annotations give way, and see which one does most: from the likeliest beginning on.
 
     Parameters
     ----------
@@ -90,24 +93,27 @@ def relax(
     stop : callable
         Asked at each step; True ends the search with the best so far.
     lost : bool
-        Whether the result is so bad that other beginnings are to be tried as well.
+        Whether the result is so bad that other beginnings may be better at once.
     """
     n_points = len(problem.points) + len(problem.circles)
     if 3 * n_points > MAX_UNKNOWNS:
         full = FullProblem(problem, None)
-        return _told(full, pose, leftover_suspects(graph, full, pose))
+        yield _told(full, pose, leftover_suspects(graph, full, pose))
+        return
     soft = softened(graph, problem)
     owners = row_owners(graph, soft)
     stiffness = spring_stiffness(problem)
-    begun = [begin(soft.problem, problem.structure, pose)]
-    if lost:
-        begun += other_beginnings(graph, soft.problem)
     springs = _Springs(soft, stiffness, YIELD, stop)
-    tried = springs.all_relaxed(begun, FIRST_ITERATIONS)
-    if not tried:
-        return None
-    x, _ = springs.relaxed(min(tried, key=lambda t: t[1])[0], ITERATIONS)
-    return _told(soft, x, weigh(soft, x, owners, stiffness))
+    own = [begin(soft.problem, problem.structure, pose)]
+    waiting = [] if lost else [own]
+    tried: list[float] = []
+    for begun in [*waiting, [*(own if lost else []), *other_beginnings(graph, soft.problem)]]:
+        first = sorted(springs.all_relaxed(begun, FIRST_ITERATIONS), key=lambda t: t[1])
+        for x, energy in first[:BEST_BEGINNINGS]:
+            x, energy = springs.relaxed(x, ITERATIONS)
+            if not any(abs(energy - e) < SAME_ENERGY * energy for e in tried):
+                tried.append(energy)
+                yield _told(soft, x, weigh(soft, x, owners, stiffness))
 
 
 def beginnings(

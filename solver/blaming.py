@@ -105,18 +105,17 @@ class Blame:
         A sentence for people.
     held : bool
         Whether all annotations hold all the same, and only the drawing is not followed.
-    sure : bool
-        False where no shape was found yet that all annotations hold for, though there may be one.
-    information, rms : float
-        Of the reading without the first (`Reading.information`, `Reading.rms`).
+    information : float
+        Of the reading without the first (`Reading.information`).
+    explains : bool
+        Whether the drawing is followed without it, and nothing speaks against the rest any more.
     """
 
     ids: tuple[str, ...]
     message: str
     held: bool
-    sure: bool = True
     information: float = math.inf
-    rms: float = 0.0
+    explains: bool = False
 
 
 def reading_of(graph: SketchGraph, lifted: Candidate) -> Reading:
@@ -237,7 +236,7 @@ def blame_by_relief(
     trials = _Trials(graph, whole, KnownShape.at(lifted.full, lifted.minimum.x), stop, afresh)
     for id_ in relieving(graph, lifted, whole, any_=trials.far)[:MAX_TRIED]:
         trials.near(id_)
-    if trials.explained and trials.far:
+    if trials.far and trials.explained():
         # From here a shape may be out of reach.
         trials.lost_ones_afresh()
     return _blame_of(graph, lifted.problem, trials)
@@ -265,7 +264,7 @@ def find_blame(
     for relaxed in relax(graph, lifted.problem, lifted.minimum.x, stop, lost=lost):
         trials = replace(trials, known=relaxed.shape)
         convict([(s.id, s.weight) for s in relaxed.suspects], trials.near)
-        if trials.explained or not trials.far:
+        if not trials.far or trials.explained():
             break
     if trials.far:
         trials.lost_ones_afresh()
@@ -289,10 +288,13 @@ class _Trials:
         """Whether the drawing is missed by so much that something has to be wrong."""
         return self.whole.rms > CLOSER_LOOK_RMS
 
-    @property
     def explained(self) -> bool:
-        """Whether one of them follows the drawing."""
-        return any(r.explains for r in self.readings.values())
+        """Whether one of them follows the drawing, and nothing speaks against the rest any more."""
+        if not any(r.explains for r in self.readings.values()):
+            return False
+        id_, reading = best_first(self.readings.items())[0]
+        shape = self.shapes[id_]
+        return shape is not None and not relieving(without(self.graph, id_), shape, reading)
 
     def near(self, id_: str) -> Reading | None:
         """Begun from the shape that is known."""
@@ -302,7 +304,7 @@ class _Trials:
 
     def lost_ones_afresh(self) -> None:
         """Begun from nothing, where no shape was found nearby; until one explains the drawing."""
-        explained = self.explained
+        explained = self.explained()
         for k, id_ in enumerate(list(self.shapes)):
             reading = self.readings.get(id_)
             lost = reading is None or not reading.plausible or k < MOST_SUSPECTS
@@ -330,11 +332,15 @@ def _blame_of(graph: SketchGraph, problem: Problem, trials: _Trials) -> Blame | 
     if again is not None and again.misfit < whole.misfit:
         whole = again
         against = [(id_, r) for id_, r in against if contradicts(whole, r)]
-    return _blame(graph, problem, whole, against) if against else None
+    return _blame(graph, problem, whole, against, trials.explained()) if against else None
 
 
 def _blame(
-    graph: SketchGraph, problem: Problem, whole: Reading, against: list[tuple[str, Reading]]
+    graph: SketchGraph,
+    problem: Problem,
+    whole: Reading,
+    against: list[tuple[str, Reading]],
+    explains: bool,
 ) -> Blame:
     best = against[0][1]
     fall = whole.information - best.information
@@ -352,14 +358,14 @@ def _blame(
             f"Solved, but {_or(ids)} contradicts the drawing: {missed}.",
             True,
             information=best.information,
-            rms=best.rms,
+            explains=explains,
         )
     return Blame(
         ids,
         f"{_or(ids)} contradicts the rest: {missed}. Solved without {ids[0]}.",
         False,
         information=best.information,
-        rms=best.rms,
+        explains=explains,
     )
 
 

@@ -19,7 +19,6 @@ from .blaming import (
     suspicion,
 )
 from .diagnosis import (
-    CARELESS,
     Reading,
     disagree,
     find_clash,
@@ -81,7 +80,7 @@ def _most_to_blame(core: SketchGraph, lifted: Lifted, effort: Effort) -> Blame |
     """Looked for from here, and from other beginnings where that does not explain the drawing."""
     afresh = partial(_lift_without, core, effort=effort)
     relieved = blame_by_relief(core, lifted, effort, afresh)
-    if relieved is not None and relieved.rms < CARELESS:
+    if relieved is not None and relieved.explains:
         return relieved
     found = find_blame(core, lifted, effort, afresh, lost=lifted.doubtful)
     either = [b for b in (relieved, found) if b is not None]
@@ -126,7 +125,7 @@ def _as_wished(
     wishes_of_kind = Length | Diameter | Angle
     tries = [first] if all(isinstance(core.annotations[i], wishes_of_kind) for i in first) else []
     # One alone would have been blamed; several may hide behind each other.
-    explained = blamed is not None and blamed.rms < CARELESS
+    explained = blamed is not None and blamed.explains
     tries += [several] if len(several) > 1 and not explained else []
     for wishes in tries:
         drawn = drawn_shape(core, wishes, stop) if wishes else None

@@ -37,6 +37,7 @@ from .placed import Placed, put_in_world
 from .profiles import said_of_profiles
 from .residuals import annotation_residuals
 from .solution import Report, Solution, Status
+from .starting.focal_prior import spare_observations
 from .symmetry import Geometry, mirrored
 from .values import Array, rows_of
 from .world import ground_indices
@@ -45,6 +46,8 @@ from .world import ground_indices
 ON_A_LINE = 1e-6
 #: Said where the standard errors of sizes are large.
 UNSURE = " Its sizes are unsure: mark more, give a length, or trace something real in the photo."
+#: Said where all that is drawn is used up, so that nothing of it checks the result.
+JUST_ENOUGH = " Only just enough is said, and other shapes may fit as well: mark more."
 #: Said where the drawing does not tell the focal length, and something else is said first.
 UNTOLD_FOCAL = " The drawing does not tell the focal length: a usual one is assumed."
 #: A camera this part of its height off is worth a word.
@@ -90,9 +93,10 @@ def describe(
     if errors is not None and errors.log_focal > UNSURE_FOCAL_SIGMA:
         seen = replace(seen, focal_assumed=_is_expected(seen))
     unsure = bool(np.sqrt(np.mean(sigmas**2)) > UNSURE_SIZE_SIGMA) if len(sigmas) else False
+    just_enough = errors is not None and _is_just_enough(seen)
     status, message = _verdict(graph, core, seen, open_, conflicts)
-    if status is Status.CONVERGED and unsure:
-        message += UNSURE
+    if status is Status.CONVERGED and (unsure or just_enough):
+        message += JUST_ENOUGH if just_enough else UNSURE
     if status is Status.CONVERGED and core.camera is not None:
         message += _off_camera(placed.camera_off_mm, core.camera)
     if blamed is not None:
@@ -125,7 +129,7 @@ def describe(
             iterations=lifted.minimum.iterations,
             focal_assumed=seen.focal_assumed,
             size_sigma=dict(zip(core.edges, sigmas.tolist(), strict=False)),
-            unsure=unsure,
+            unsure=unsure or just_enough,
         ),
     )
 
@@ -247,6 +251,13 @@ def _is_expected(lifted: Lifted) -> bool:
     """Whether the usual focal length had a say, as it has unless the drawing is exact."""
     told = lifted.problem.log_focal_prior is not None and not lifted.focal_assumed
     return lifted.focal_assumed or not (told or lifted.full.prior is None)
+
+
+def _is_just_enough(lifted: Lifted) -> bool:
+    """Whether a shape has as many freedoms as numbers were drawn: each drawing is met, and several
+    shapes may meet it, for such equations have several roots."""
+    told = lifted.problem.log_focal_prior is not None and lifted.problem.camera is None
+    return spare_observations(lifted.full, lifted.minimum.x) + told <= 0
 
 
 def _off_camera(off_mm: float, camera: Camera) -> str:

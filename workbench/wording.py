@@ -30,6 +30,7 @@ SENTENCES = (
     "Solved, but {} contradicts the drawing, which is missed by {} px.",
     "The drawing does not tell the focal length: a usual one is assumed.",
     "Its sizes are unsure: mark more, give a length, or trace something real in the photo.",
+    "Only just enough is said, and other shapes may fit as well: mark more.",
     "{} freedom left: add a right angle, parallel or ground vertex at {}.",
     "{} freedoms left: add a right angle, parallel or ground vertex at {}.",
     "{} freedom left: nothing is said to be square or parallel; begin with right angles at {}.",

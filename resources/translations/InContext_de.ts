@@ -748,6 +748,10 @@
         <translation>Die Maße sind unsicher: mehr angeben, eine Länge nennen oder etwas Wirkliches im Foto nachzeichnen.</translation>
     </message>
     <message>
+        <source>Only just enough is said, and other shapes may fit as well: mark more.</source>
+        <translation>Es ist nur gerade genug gesagt, und andere Formen passen vielleicht ebenso gut: mehr angeben.</translation>
+    </message>
+    <message>
         <source>Lay the sheet flat on the ground where the new object will stand, and take the photo.</source>
         <translation>Das Blatt flach dorthin legen, wo das neue Ding stehen wird, und das Foto machen.</translation>
     </message>

@@ -748,6 +748,10 @@
         <translation>寸法は不確かです。指定を増やす、長さを与える、または写真の実物をなぞってください。</translation>
     </message>
     <message>
+        <source>Only just enough is said, and other shapes may fit as well: mark more.</source>
+        <translation>指定はちょうど足りるだけで、ほかの形も同じくらい合うかもしれません。もっと指定してください。</translation>
+    </message>
+    <message>
         <source>Lay the sheet flat on the ground where the new object will stand, and take the photo.</source>
         <translation>新しい物を置く場所の地面にこの紙を平らに置き、写真を撮ってください。</translation>
     </message>

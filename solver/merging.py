@@ -15,6 +15,9 @@ from .values import BoolArray, IntArray
 #: Up to so many flags in a table, looking things up in it is faster than sorting.
 MAX_TABLE = 4_000_000
 
+#: A table with so many flags for each row is worth it.
+FEW = 50
+
 
 def first_members(pairs: IntArray, n: int) -> IntArray:
     """Merge 0 ... n-1 as the pairs (k, 2) say; the label of each, (n,).
@@ -56,8 +59,14 @@ def are_among(wanted: IntArray, known: IntArray, n: int) -> BoolArray:
 
 
 def each_once(rows: IntArray) -> IntArray:
-    """The different rows (k, w) of numbers below 2^15, in order; w is at most 4."""
-    shifts = 15 * np.arange(rows.shape[1], dtype=np.int64)
+    """The different rows (k, w) of numbers below 2^15, in order of their last numbers; w <= 4."""
+    n, width = int(rows.max(initial=-1)) + 1, rows.shape[1]
+    if n**width <= FEW * len(rows):
+        # Of few numbers a table is made sooner than an order.
+        there = np.zeros((n,) * width, dtype=bool)
+        there[tuple(rows.T[::-1])] = True
+        return np.column_stack(np.nonzero(there)[::-1])
+    shifts = 15 * np.arange(width, dtype=np.int64)
     # Sorted by hand: `np.unique` takes several times as long.
     codes = np.sort(rows @ (1 << shifts))
     codes = codes[np.flatnonzero(np.append(True, codes[1:] != codes[:-1]))[: len(codes)]]

@@ -30,7 +30,7 @@ from .merging import first_members, numbered
 from .named_faces import NamedFaces, named_faces
 from .topology import MAX_KEPT, Topology, topology_of, topology_with
 from .unlike_angles import angles_clash
-from .values import Array, BoolArray, IntArray
+from .values import Array, BoolArray, IntArray, kept
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -93,6 +93,7 @@ def build_structure(
     return _share(topology, directions, *_axes(graph, topology, directions))
 
 
+@kept
 def _axes(
     graph: SketchGraph, topology: Topology, directions: Directions
 ) -> tuple[tuple[int, ...], int | None]:

@@ -45,12 +45,15 @@ def test_numbers_are_looked_up_in_a_table_or_by_sorting(room, monkeypatch):
     assert are_among(wanted, np.array([5, 0, 5]), 10).tolist() == [[False, True], [True, False]]
 
 
-def test_rows_are_kept_once_in_order():
+@pytest.mark.parametrize("few", [0, merging.FEW])
+def test_rows_are_kept_once_in_order(few, monkeypatch):
+    monkeypatch.setattr(merging, "FEW", few)
     rows = np.random.default_rng(3).integers(0, 4, (50, 4))
     wanted = {tuple(row) for row in rows.tolist()}
     found = [tuple(row) for row in each_once(rows).tolist()]
     assert set(found) == wanted
     assert len(found) == len(wanted)
+    assert found == sorted(found, key=lambda row: row[::-1])
     assert len(each_once(np.zeros((0, 3), dtype=np.int64))) == 0
 
 

@@ -63,6 +63,8 @@ UNSURE_FOCAL_SIGMA = 0.3
 PARALLEL_COST = 1e-10
 #: So near to a reading that was found, in parts of the size, all ways lead to it.
 SAME_SHAPE = 2e-3
+#: Views so near to each other (cosine of the axes, log focal length) lead to the same reading.
+SAME_AXES, SAME_FOCAL = 0.9986, 0.3
 #: Pulls to equal depths, and how many times the miss of the rays outweighs it.
 PULLS = (1e-3, 1e-2, 1e-1, 1.0)
 OUTWEIGHS = 3.0
@@ -247,6 +249,7 @@ def _best(
     """
     full = FullProblem(problem, prior)
     known: list[Array] = []
+    known_from: list[Pose] = []
     # Without a focal length it goes on with the usual one.
     enough = NEXT_ENOUGH if problem.log_focal_prior is None else ENOUGH
 
@@ -276,7 +279,8 @@ def _best(
     tried: list[Lifted] = []
     tolerated, least = np.inf, np.inf
     for view in islice(views(problem), MAX_STARTS):
-        pose = _initial_pose(problem, view) if view.misfit <= tolerated else None
+        new = view.misfit <= tolerated and not _leads_to_one_of(problem, view, known_from)
+        pose = _initial_pose(problem, view) if new else None
         for begun in () if pose is None else _with_floats(problem, pose, stop):
             pursuit = _Pursuit(carry_on, TRIAL_ENOUGH, TRIAL_ITERATIONS, least)
             tried.append(seen(pursuit.of(begin(begun))))
@@ -284,6 +288,7 @@ def _best(
                 return replace(tried[0], doubtful=True)
             if tried[-1].minimum.converged:
                 known.append(full.shape(tried[-1].minimum.x))
+                known_from.append(tried[-1].minimum.x)
             if tried[-1].above and tried[-1].minimum.converged:
                 tolerated = min(tolerated, RIVAL * view.misfit + 1e-20)
                 least = min(least, tried[-1].minimum.cost)
@@ -305,6 +310,17 @@ def _best(
         least = min(f.minimum.cost for f in finished)
         finished.append(seen(_Pursuit(carry_on, enough, MAX_ITERATIONS, least).of(begin(pose))))
     return _preferred(graph, finished)[0] if finished else None
+
+
+def _leads_to_one_of(problem: Problem, view: Start, found: list[Pose]) -> bool:
+    """Whether a view is so near to that of a reading that was found that it leads there."""
+    if not problem.structure.has_axes or floats_matter(problem):
+        return False
+    return any(
+        abs(view.log_focal - x.log_focal) < SAME_FOCAL
+        and float(np.abs(np.einsum("ik,ik->k", view.R, x.R)).min()) > SAME_AXES
+        for x in found
+    )
 
 
 def _goes_on(only: Lifted) -> bool:

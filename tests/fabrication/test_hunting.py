@@ -28,6 +28,14 @@ def test_prints_of_random_shapes(family, seed):
     assert end == "printed"
 
 
+@pytest.mark.parametrize(
+    ("family", "seed"), [("slanted_lid", 7013), ("slanted_lid", 7038), ("convex", 7030)]
+)
+def test_plates_that_hunts_have_found(family, seed):
+    """A leaning opening over right-angled walls, twice; a side of 4e-7 mm at a tip."""
+    assert outcome(family, seed, printed=False) == ("made", [])
+
+
 @pytest.mark.parametrize("seed", [3, 11, 1005, 1085, 1145, 1175, 1177, 1268])
 def test_slots_keep_one_thickness_from_borders(seed, monkeypatch):
     """Half-laps, tabs and corners that left less, one each: without a look at them they do."""

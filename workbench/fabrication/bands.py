@@ -35,7 +35,7 @@ from .settings import PlateSettings
 from .slanted_walls import FINE_MM, SlantedWall, slanted_walls
 from .slivers import without_slivers
 from .trimming import on_its_side, pointed, trimmed, trimmed_at_openings
-from .walls import tidy
+from .walls import tidy, without_specks
 
 #: Up to such a part of a plate may be left out: corners that joints would cut loose.
 LOOSE_SHARE = 0.03
@@ -149,7 +149,7 @@ def _whole(wall: SlantedWall, outline: Polygon) -> Polygon:
     if len(parts) > 1:
         held = parts[0].buffer(1.01 * NECK_MM, join_style="mitre")
         outline = outline.intersection(held, grid_size=FINE_MM)
-    return tidy(max(shapely.get_parts(outline), key=lambda part: part.area))
+    return without_specks(tidy(max(shapely.get_parts(outline), key=lambda part: part.area)))
 
 
 def _narrow_mm(wall: SlantedWall) -> float:

@@ -145,6 +145,17 @@ def _sorted_like_world(axes: Array) -> Array:
     return np.array([right, np.cross(up, right), up])
 
 
+def leaning_openings(model: Model, frame: Frame) -> list[str]:
+    """The ids of the faces left out that are square to no axis of a frame."""
+    found = []
+    for id_, face in model.faces.items():
+        area = frame.frame_from_world @ newell(face.loop_mm)
+        square = np.abs(area).max() > np.linalg.norm(area) * (1 - AXIS_TOLERANCE**2)
+        if not face.included and not square:
+            found.append(id_)
+    return found
+
+
 def snapped(model: Model, frame: Frame) -> dict[str, Array]:
     """The vertices of all faces in the frame, near-equal coordinates made equal.
 

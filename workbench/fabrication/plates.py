@@ -10,10 +10,11 @@ plate frame
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
+import shapely
 from shapely.geometry import Polygon
 
 from ...solver.model import Model
@@ -21,7 +22,7 @@ from ...solver.values import Array, frozen_array
 from .clear_slots import lost_tabs
 from .errors import FabricationError, NotRightAngledError
 from .finger_joints import share_out
-from .frame import Frame, find_frame, snapped
+from .frame import Frame, find_frame, leaning_openings, snapped
 from .joints import Joint, JointPlan
 from .near_borders import slots_near_borders
 from .outlines import cut_outlines
@@ -151,10 +152,42 @@ def joined_plates(model: Model, settings: PlateSettings = _DEFAULTS) -> Joined:
         plates = tuple(
             _plate(wall, outline, frame) for wall, outline in zip(walls, outlines, strict=True)
         )
+        leaning = leaning_openings(model, frame)
+        if leaning:
+            plates = _behind_openings(model, frame, leaning, walls, plates, settings.side)
         place = frame.world_from_frame()
         plan.joints = [_in_world(joint, place) for joint in plan.joints]
     plan.check_used()
     return Joined(plates, tuple(plan.joints), empty)
+
+
+def _behind_openings(
+    model: Model,
+    frame: Frame,
+    openings: Sequence[str],
+    walls: Sequence[Wall],
+    plates: Sequence[Plate],
+    side: str,
+) -> tuple[Plate, ...]:
+    """Plates that stick out of no leaning opening."""
+    from .slanted_openings import behind_openings
+    from .slanted_walls import SlantedWall
+
+    placed = [
+        SlantedWall(p.face_ids, p.thickness_mm, p.world_from_plate, (p.outline, *p.holes))
+        for p in plates
+    ]
+    outlines = behind_openings(model, frame, openings, walls, placed, side)
+    result = []
+    for plate, outline in zip(plates, outlines, strict=True):
+        if outline.equals(plate.polygon):
+            result.append(plate)
+            continue
+        whole = max(shapely.get_parts(outline), key=lambda part: part.area)
+        rings = [np.array(r.coords)[:-1] for r in (whole.exterior, *whole.interiors)]
+        place = np.array(plate.world_from_plate)
+        result.append(_placed(plate.face_ids, plate.thickness_mm, rings, place))
+    return tuple(result)
 
 
 def _in_world(joint: Joint, place: Array) -> Joint:

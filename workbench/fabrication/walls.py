@@ -30,6 +30,8 @@ from .sides import face_sides
 #: Coordinates of regions are multiples of this, mm.
 GRID_MM = 1e-6
 _ONE_PLACE_MM = 1e-8
+#: Shorter sides come from rounding.
+_SPECK_MM = 1e-5
 
 
 @dataclass(frozen=True, slots=True)
@@ -207,6 +209,26 @@ def tidy(polygon: Polygon) -> Polygon:
     """The same polygon without vertices in the middle of straight lines; ccw, holes cw."""
     rings = [_straightened(np.array(ring.coords)[:-1]) for ring in _rings(polygon)]
     return shapely.geometry.polygon.orient(Polygon(rings[0], rings[1:]))
+
+
+def without_specks(polygon: Polygon) -> Polygon:
+    """The same polygon without sides that are nearly nothing; nowhere larger."""
+    rings = [_without_specks(np.array(ring.coords)[:-1]) for ring in _rings(polygon)]
+    return Polygon(rings[0], rings[1:])
+
+
+def _without_specks(ring: Array) -> Array:
+    """Of the two ends of such a side the one goes that looks outwards; material is on the left."""
+    while len(ring) > 3:
+        ahead = np.concatenate((ring[1:], ring[:1])) - ring
+        behind = np.concatenate((ahead[-1:], ahead[:-1]))
+        convex = behind[:, 0] * ahead[:, 1] - behind[:, 1] * ahead[:, 0] > 0
+        short = np.hypot(ahead[:, 0], ahead[:, 1]) < _SPECK_MM
+        gone = convex & (short | np.concatenate((short[-1:], short[:-1])))
+        if not gone.any():
+            break
+        ring = np.delete(ring, int(gone.argmax()), axis=0)
+    return ring
 
 
 def _rings(polygon: Polygon) -> list[shapely.LinearRing]:

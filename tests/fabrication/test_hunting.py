@@ -29,11 +29,20 @@ def test_prints_of_random_shapes(family, seed):
 
 
 @pytest.mark.parametrize(
-    ("family", "seed"), [("slanted_lid", 7013), ("slanted_lid", 7038), ("convex", 7030)]
+    ("family", "seed"),
+    [("slanted_lid", 7013), ("slanted_lid", 7038), ("convex", 7030), ("polycube", 8145)],
 )
 def test_plates_that_hunts_have_found(family, seed):
-    """A leaning opening over right-angled walls, twice; a side of 4e-7 mm at a tip."""
+    """A leaning opening over right-angled walls, twice; a side of 4e-7 mm; a mouth of 0.05 mm."""
     assert outcome(family, seed, printed=False) == ("made", [])
+
+
+@pytest.mark.parametrize(("family", "seed"), [("spire", 8120), ("convex", 8116), ("spire", 8123)])
+def test_what_no_cutter_gets_into_is_told_by_number(family, seed):
+    """Where gaps are as narrow as rounding, too; the last one's outline touches a limit."""
+    end, laws = outcome(family, seed, printed=False)
+    assert laws == []
+    assert "just gets in" in end
 
 
 @pytest.mark.parametrize("seed", [3, 11, 1005, 1085, 1145, 1175, 1177, 1268])

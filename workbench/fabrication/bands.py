@@ -316,7 +316,9 @@ def _outline(
         # Where it is drawn to a point, what is added must not go on beyond it.
         widest = -min(edge.tip for ring in edges[w] for edge in ring)
         near = base.buffer(widest + FINE_MM, join_style="mitre", mitre_limit=WIDENED_LIMIT)
-        whole = whole.intersection(near, grid_size=FINE_MM)
+        both = shapely.get_parts(whole.intersection(near, grid_size=FINE_MM))
+        # Where they only touch there are lines too.
+        whole = shapely.union_all([part for part in both if part.geom_type == "Polygon"])
     # Wider by a few grid steps, so that rounding never makes two plates overlap.
     lost = shapely.union_all(removed, grid_size=FINE_MM).buffer(4 * FINE_MM, join_style="mitre")
     cut = whole.difference(lost, grid_size=FINE_MM)

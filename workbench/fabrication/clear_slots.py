@@ -31,7 +31,9 @@ from .walls import Wall
 _ROUNDING_MM = 1e-5
 _ROUNDS = 40
 #: So many moves are tried for one slot.
-_MOST_TRIES = 600
+_MOST_TRIES = 1000
+#: Of so many columns of a wall, the nearest, several are given at once.
+_NEAREST = 8
 #: Space that a move may leave empty is rounding, mm3.
 _LEAST_MM3 = 1e-3
 Box = tuple[float, float, float, float]
@@ -210,7 +212,7 @@ def _of(repair: Repair, wall: int) -> tuple[Wall, Polygon]:
 
 
 def _moves(repair: Repair, near: _Near) -> Iterator[tuple[int, tuple[int, ...]]]:
-    """Up to three columns of a wall around a lane, given to that wall."""
+    """Columns of a wall around a lane, given to that wall: few and near ones first."""
     wall = repair.walls[near.wall]
     zone = near.lane.buffer(1.5 * wall.thickness_mm, join_style="mitre").union(near.slot)
     around = [
@@ -220,21 +222,24 @@ def _moves(repair: Repair, near: _Near) -> Iterator[tuple[int, tuple[int, ...]]]
         and near.wall in (piece.owner, *piece.rivals)
         and _lies_in(piece, wall, zone)
     ]
-    seen: set[tuple[int, tuple[int, ...]]] = set()
-    columns = [
-        (w, column)
-        for w in dict.fromkeys(w for n in around for w in repair.pieces[n].rivals)
-        for column in _columns(repair, w, [n for n in around if w in repair.pieces[n].rivals])
-    ]
-    for size in (1, 2, 3):
-        for some in combinations(columns, size):
-            if len({w for w, _ in some}) == 1:
-                move = some[0][0], tuple(n for _, column in some for n in column)
-                if move not in seen:
-                    seen.add(move)
-                    yield move
-    for w in dict.fromkeys(w for w, _ in columns):
-        yield w, tuple(n for other, column in columns if other == w for n in column)
+    around.sort(key=lambda n: near.lane.distance(_spot(repair.pieces[n], wall)))
+    takers = dict.fromkeys(w for n in around for w in repair.pieces[n].rivals)
+    columns = {
+        w: _columns(repair, w, [n for n in around if w in repair.pieces[n].rivals]) for w in takers
+    }
+    for size in (1, 2, 3, 4):
+        for w, every in columns.items():
+            some = every if size == 1 else every[:_NEAREST]
+            for chosen in combinations(some, size):
+                yield w, tuple(n for column in chosen for n in column)
+    for w, every in columns.items():
+        yield w, tuple(n for column in every for n in column)
+
+
+def _spot(piece: Piece, wall: Wall) -> shapely.Point:
+    """The middle of a piece in a wall's plane."""
+    middle = [(low + high) / 2 for low, high in zip(piece.low_mm, piece.high_mm, strict=True)]
+    return shapely.Point([middle[k] for k in wall.plane_axes])
 
 
 def _columns(repair: Repair, w: int, some: Sequence[int]) -> list[tuple[int, ...]]:
@@ -262,20 +267,22 @@ def _cost(
     if repair.gain(wall, some) < -_LEAST_MM3:
         return None
     before = after = 0
-    slits = 0.0
     for w, outline in repair.outlines_after(wall, some).items():
         if not is_whole(outline):
             return None
-        slits += _slits_mm2(outline) - _slits_mm2(repair.outlines[w])
+        if _slits_mm2(outline) > _slits_mm2(repair.outlines[w]) + _ROUNDING_MM:
+            return None
         before += sum(1 for _ in near_slots(*_of(repair, w)))
         after += sum(1 for _ in near_slots(repair.walls[w], outline))
     moved = sum(
         float(np.prod(np.subtract(repair.pieces[n].high_mm, repair.pieces[n].low_mm))) for n in some
     )
-    return (after, moved) if after < before and slits < _ROUNDING_MM else None
+    return (after, moved) if after < before else None
 
 
 def _slits_mm2(outline: Polygon) -> float:
-    """The area of gaps too narrow for a beam."""
-    closed = outline.buffer(USUAL_BEAM_MM / 2, join_style="mitre")
-    return float(closed.buffer(-USUAL_BEAM_MM / 2, join_style="mitre").area - outline.area)
+    """The area of gaps too narrow for a beam, and one more for each mouth that is."""
+    half = USUAL_BEAM_MM / 2
+    closed = outline.buffer(half, join_style="mitre")
+    mouths = len(Polygon(outline.exterior).buffer(half, join_style="mitre").interiors)
+    return float(closed.buffer(-half, join_style="mitre").area - outline.area) + mouths

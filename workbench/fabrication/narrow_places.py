@@ -61,10 +61,9 @@ def narrow_place(polygon: Polygon, width_mm: float) -> Array:
     grown = polygon.buffer(width_mm / 2, join_style="mitre")
     closed = grown.buffer(-width_mm / 2, join_style="mitre", mitre_limit=20.0)
     gaps = shapely.get_parts(closed.difference(polygon))
-    if len(gaps) == 0:
-        return np.array(polygon.representative_point().coords[0])
-    largest = max(gaps, key=lambda part: part.area)
-    return np.array(largest.representative_point().coords[0])
+    largest = max(gaps, key=lambda part: part.area, default=polygon)
+    place = (largest if largest.area > 0 else polygon).representative_point()
+    return np.array([place.x, place.y])
 
 
 def _edges_at(

@@ -30,23 +30,24 @@ class InContextWorkbench(FreeCADGui.Workbench):
 
         from incontext.workbench import host
         from incontext.workbench.commands import register_commands
+        from incontext.workbench.commands.languages import follow_language
         from incontext.workbench.commands.open_example import register_examples
         from incontext.workbench.commands.tools import register_tools
         from incontext.workbench.panels.preset_page import PresetPage
         from incontext.workbench.panels.values_page import ValuesPage
 
         names, tools = register_commands(), register_tools()
-        ours = host.translate("InContext", "Modeling in &Context")
-        examples = host.translate("InContext", "E&xamples")
-        sketching = host.translate("InContext", "Sketch &tools")
-        self.appendToolbar(host.translate("InContext", "Modeling in Context"), names)
-        self.appendToolbar(host.translate("InContext", "Sketch tools"), tools)
+        # FreeCAD translates these itself, whenever the language changes.
+        ours, examples, sketching = "Modeling in &Context", "E&xamples", "Sketch &tools"
+        self.appendToolbar("Modeling in Context", names)
+        self.appendToolbar("Sketch tools", tools)
         self.appendMenu(ours, names)
         self.appendMenu([ours, sketching], tools)
         self.appendMenu([ours, examples], register_examples())
         FreeCADGui.addIconPath(host.resource("icons"))
         FreeCADGui.addPreferencePage(ValuesPage, "Modeling in Context")
         FreeCADGui.addPreferencePage(PresetPage, "Modeling in Context")
+        follow_language()
 
     def Activated(self):  # noqa: N802
         """Nothing to do; FreeCAD asks for it."""

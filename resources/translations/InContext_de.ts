@@ -3194,4 +3194,27 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>Nächstes Ende anklicken oder die Länge der letzten Linie eingeben; Rechtsklick beendet</translation>
     </message>
 </context>
+<context>
+    <name>Workbench</name>
+    <message>
+        <source>E&amp;xamples</source>
+        <translation>&amp;Beispiele</translation>
+    </message>
+    <message>
+        <source>Modeling in &amp;Context</source>
+        <translation>Modeling in &amp;Context</translation>
+    </message>
+    <message>
+        <source>Modeling in Context</source>
+        <translation>Modeling in Context</translation>
+    </message>
+    <message>
+        <source>Sketch &amp;tools</source>
+        <translation>Skizzen&amp;werkzeuge</translation>
+    </message>
+    <message>
+        <source>Sketch tools</source>
+        <translation>Skizzenwerkzeuge</translation>
+    </message>
+</context>
 </TS>

@@ -3194,4 +3194,27 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>次の終点をクリック、または直前の線の長さを入力。右クリックで終了</translation>
     </message>
 </context>
+<context>
+    <name>Workbench</name>
+    <message>
+        <source>E&amp;xamples</source>
+        <translation>例(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Modeling in &amp;Context</source>
+        <translation>Modeling in &amp;Context</translation>
+    </message>
+    <message>
+        <source>Modeling in Context</source>
+        <translation>Modeling in Context</translation>
+    </message>
+    <message>
+        <source>Sketch &amp;tools</source>
+        <translation>スケッチツール(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Sketch tools</source>
+        <translation>スケッチツール</translation>
+    </message>
+</context>
 </TS>

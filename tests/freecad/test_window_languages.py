@@ -2,8 +2,9 @@
 
 import FreeCADGui
 import pytest
+from PySide import QtGui
 
-from incontext.tests.freecad.hands import pump
+from incontext.tests.freecad.hands import pump, wait_until
 from incontext.workbench import host
 from incontext.workbench.wording import CLAUSES, SENTENCES, in_language
 
@@ -74,3 +75,33 @@ def test_every_sentence_comes_back_from_its_pattern():
     for source in SENTENCES:
         words = source.replace("{0}", "a1").replace("{1}", "a2").replace("{}", "7")
         assert in_language(words) == words
+
+
+def shown_words(window, name):
+    """What a command's action says: its text, and what it does."""
+    (action,) = {a for a in window.findChildren(QtGui.QAction) if a.objectName() == name}
+    return action.text(), action.toolTip()
+
+
+def test_buttons_and_menus_follow_the_language_at_once(language, window):
+    toolbars = [bar for bar in window.findChildren(QtGui.QToolBar) if bar.windowTitle()]
+    (tools,) = (bar for bar in toolbars if bar.windowTitle() == "Sketch tools")
+    menus = [action for action in window.menuBar().actions() if "Context" in action.text()]
+    assert [menu.text() for menu in menus] == ["Modeling in &Context"]
+    english = shown_words(window, "InContext_FixLength")
+    assert english[0] == "Fix or free size"
+    for name, text in (
+        ("German", "Maß festlegen oder freigeben"),
+        ("Japanese", "寸法を固定または解除"),
+    ):
+        language(name)
+        wait_until(lambda text=text: shown_words(window, "InContext_FixLength")[0] == text)
+        assert shown_words(window, "InContext_FixLength")[1] != english[1]
+        assert tools.windowTitle() == host.translate("InContext", "Sketch tools")
+        line = shown_words(window, "InContext_ToolLine")
+        assert line[0] == host.translate("InContext", "Line")
+        examples = host.translate("InContext", "Bookshelf")
+        assert shown_words(window, "InContext_ExampleBookshelf")[0] == examples
+    language("English")
+    wait_until(lambda: shown_words(window, "InContext_FixLength") == english)
+    assert tools.windowTitle() == "Sketch tools"

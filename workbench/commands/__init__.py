@@ -11,6 +11,7 @@ from .export_print import ExportPrint
 from .fix_angle import FixAngle
 from .fix_length import FixLength
 from .import_sketch import ImportSketch
+from .languages import add_command
 from .lift import Lift
 from .make_fit_test import MakeFitTest
 from .make_plates import MakePlates
@@ -59,11 +60,9 @@ def register_commands() -> list[str]:
     list of str
         Their names as toolbars and menus take them, with separators.
     """
-    import FreeCADGui
-
     names = []
     for command in COMMANDS:
-        FreeCADGui.addCommand(command.NAME, command())
+        add_command(command())
         if command in _GROUPS:
             names.append("Separator")
         names.append(command.NAME)

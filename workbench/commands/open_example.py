@@ -9,6 +9,7 @@ import FreeCAD
 from .. import host
 from ..examples import EXAMPLES
 from .base import Command
+from .languages import add_command
 
 FIRST = EXAMPLES[0]
 #: What the menu calls them, and what they show.
@@ -69,8 +70,6 @@ def open_example(name: str = FIRST) -> Any:
 
 def register_examples() -> list[str]:
     """Make the examples known to FreeCAD; gives their names in the menu's order."""
-    import FreeCADGui
-
     for command in EXAMPLE_COMMANDS:
-        FreeCADGui.addCommand(command.NAME, command())
+        add_command(command())
     return [command.NAME for command in EXAMPLE_COMMANDS]

@@ -8,6 +8,7 @@ from .. import host
 from ..features.photo_sketch import is_photo_sketch
 from .base import Command
 from .choosing import chosen, objects_of
+from .languages import add_command
 from .tab_commands import TAB_COMMANDS
 
 
@@ -259,10 +260,8 @@ def register_tools() -> list[str]:
     list of str
         Their names as toolbars and menus take them, with separators.
     """
-    import FreeCADGui
-
     for command in (*TOOL_COMMANDS, *TAB_COMMANDS):
-        FreeCADGui.addCommand(command.NAME, command())
+        add_command(command())
     names = [command.NAME for command in TOOL_COMMANDS]
     others = [command.NAME for command in TAB_COMMANDS]
     return [*names[:FIRST], "Separator", *names[FIRST:], "Separator", *others]

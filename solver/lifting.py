@@ -26,6 +26,7 @@ from .problem import Problem, build_problem
 from .solution import Solution
 from .starting.floating import depths_along, floats_matter, lifts, same_lift
 from .starting.focal_prior import USUAL, spare_observations, tighter, usual_prior
+from .starting.near_and_far import near_and_far_exchanged
 from .starting.warm_start import pose_from
 from .structure import Structure
 from .values import Array, Stop
@@ -280,7 +281,7 @@ def _best(
     tolerated, least = np.inf, np.inf
     for view in islice(views(problem), MAX_STARTS):
         new = view.misfit <= tolerated and not _leads_to_one_of(problem, view, known_from)
-        pose = _initial_pose(problem, view) if new else None
+        pose = initial_pose(problem, view) if new else None
         for begun in () if pose is None else _with_floats(problem, pose, stop):
             pursuit = _Pursuit(carry_on, TRIAL_ENOUGH, TRIAL_ITERATIONS, least)
             tried.append(seen(pursuit.of(begin(begun))))
@@ -298,6 +299,10 @@ def _best(
             break
         if len(tried) > AGREEING and all(t.minimum.cost == np.inf for t in tried[-AGREEING:]):
             break
+    if ground_indices(graph) and not any(t.above for t in tried):
+        # Of few directions the lines may agree with the view from below alone.
+        for below in [t.minimum.x for t in tried if t.minimum.cost < np.inf]:
+            tried.append(seen(begin(near_and_far_exchanged(full, below))))
     finished: list[Lifted] = []
     promising = _promising(graph, tried)
     goes_on = len(promising) == 1 and _goes_on(promising[0])
@@ -342,7 +347,7 @@ def _with_floats_moved(
         return
     best = min(finished, key=lambda t: t.minimum.cost).minimum
     x = best.x
-    begun = _initial_pose(problem, Start(x.R, x.log_focal, best.cost))
+    begun = initial_pose(problem, Start(x.R, x.log_focal, best.cost))
     if begun is None:
         return
     g = begun.g
@@ -430,7 +435,7 @@ def _is_exact(lifted: Lifted) -> bool:
     return lifted.above and lifted.minimum.converged and lifted.minimum.cost < 1e-20
 
 
-def _initial_pose(problem: Problem, start: Start) -> Pose | None:
+def initial_pose(problem: Problem, start: Start) -> Pose | None:
     """The linear lift, with a stronger pull to equal depths where it came out of proportion."""
     for pull in PULLS:
         g = lift_linear(problem, start.R, start.log_focal, pull)

@@ -14,7 +14,8 @@ from .full import FullProblem, Pose
 from .graph import SketchGraph
 from .least_squares import minimise
 from .lifting import MAX_ITERATIONS, Lifted, spare_numbers
-from .values import Array, IntArray, Stop
+from .starting.near_and_far import near_and_far_exchanged
+from .values import Stop
 from .world import camera_above_ground, ground_indices
 
 #: Twice the log of the odds from which on one reading is the drawing's: about 60 to 1.
@@ -26,7 +27,7 @@ def twin_of(graph: SketchGraph, lifted: Lifted, stop: Stop | None = None) -> Lif
     full, x = lifted.full, lifted.minimum.x
     if lifted.problem.camera is not None:
         return None
-    begun = _reversed(full.positions(x), full.coordinate, x)
+    begun = near_and_far_exchanged(full, x)
     minimum = minimise(full, begun, max_iterations=40, stop=stop)
     minimum = minimise(full, minimum.x, max_iterations=MAX_ITERATIONS, near=True, stop=stop)
     if not np.isfinite(minimum.cost) or _same_view(minimum.x, x):
@@ -50,17 +51,6 @@ def _misfit(lifted: Lifted, stop: Stop) -> float:
     free = FullProblem(lifted.problem, None)
     x = lifted.minimum.x
     return minimise(free, x, max_iterations=MAX_ITERATIONS, near=True, stop=stop).cost
-
-
-def _reversed(c: Array, coordinate: IntArray, x: Pose) -> Pose:
-    """Mirrored in depth at its middle: the shape along one object axis, and the view with it."""
-    S = np.diag([1.0, 1.0, -1.0])
-    R = S @ x.R @ S
-    middle = c.mean(axis=0)
-    moved = (c - middle) @ S + x.R @ middle @ R
-    g = x.g.copy()
-    g[coordinate] = moved
-    return Pose(R, x.log_focal, g)
 
 
 def _same_view(a: Pose, b: Pose) -> bool:

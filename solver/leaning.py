@@ -51,6 +51,9 @@ NOISES = np.geomspace(3e-5, 0.05, 61)
 #: Odds (logarithm) that a drawing has to show before its errors count as going together. Of 1,000
 #: drawings with independent errors of 0.5 to 2 %, so many odds were shown by two.
 PLAIN_ODDS = 2.3
+#: And that which is missed by so much without a lean (RMS, parts of its diagonal), as few miss it
+#: whose errors are independent.
+FAR_RMS, FAR_ODDS = 0.012, 0.7
 #: What a lean adds to a shape's freedoms: the rest is turn and size, which are free already.
 LEAN_FREEDOMS = 3
 #: Iterations from the shape without a lean to the one with it, and the gain that ends them.
@@ -289,7 +292,9 @@ def shown_hand(full: FullProblem, told: FocalPrior | None, x: Pose) -> LeaningHa
     plain = full.with_prior(told) if alike else FullProblem(problem, told)
     noises = NOISES * drawn_diagonal(problem) / math.sqrt(2)
     odds, hand = _evidence(plain, x).log_odds(noises)
-    return hand if odds >= PLAIN_ODDS else None
+    r = plain.rows_of_vertices(x)[0]
+    far = float(r @ r) > (FAR_RMS * drawn_diagonal(problem)) ** 2 * len(problem.points)
+    return hand if odds >= (FAR_ODDS if far else PLAIN_ODDS) else None
 
 
 def leaning_problem(problem: Problem, told: FocalPrior | None, hand: LeaningHand) -> LeaningProblem:

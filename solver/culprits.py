@@ -187,5 +187,5 @@ def _lift_without(core: SketchGraph, *ids: str, effort: Effort) -> Lifted | None
     conditions = conditions_of(rest, structure)
     if conditions * structure.n_coordinates > MAX_NUMBERS:
         return None
-    effort.weigh(structure.n_coordinates + conditions)
+    effort.weigh(structure.n_coordinates, conditions)
     return lift(rest, structure, effort, wary=True)

@@ -13,6 +13,8 @@ from .values import Progress, Stop
 MAX_EFFORT = 2000.0
 #: An iteration costs a little by itself, and more with the square of its unknowns and conditions.
 ITERATION, BY_SIZE = 0.3, 1.5e-4
+#: And where conditions are left, each point is put back onto them in several steps.
+RESTORING = 1.0
 #: The same where all else is eliminated beforehand, as where parts float.
 LIGHT, BY_UNKNOWN = 0.3, 1e-4
 #: To ask whether annotations agree costs a little by itself, and more with what was drawn and said.
@@ -43,9 +45,10 @@ class Effort:
         #: Whether somebody stopped it.
         self.stopped = False
 
-    def weigh(self, size: int) -> None:
+    def weigh(self, unknowns: int, conditions: int) -> None:
         """From now on iterations are over so many unknowns and conditions."""
-        self._each = ITERATION + BY_SIZE * size**2
+        restoring = RESTORING if conditions else 0.0
+        self._each = ITERATION + BY_SIZE * (unknowns + conditions) ** 2 + restoring
 
     def doing(self, what: str, least: float = 0.0) -> None:
         """Say what is being done now, and how far the solve is at least."""

@@ -112,7 +112,7 @@ def _solve(graph: SketchGraph, start: Solution | None, effort: Effort, *, twin: 
     if conditions * structure.n_coordinates > MAX_NUMBERS:
         n = structure.n_coordinates
         return too_free(graph, f"{conditions} conditions on {n} coordinates are left")
-    effort.weigh(structure.n_coordinates + conditions)
+    effort.weigh(structure.n_coordinates, conditions)
     effort.doing("looking for the camera and the shape", 0.1)
     lift = partial(_lift_or_blame, start, effort, twin=twin)
     designed = as_designed(core, structure, lift, effort)

@@ -100,7 +100,7 @@ def test_a_solve_counts_its_work_and_not_the_time(monkeypatch):
 
 def test_the_work_of_a_solve_is_limited():
     effort = Effort(None)
-    effort.weigh(500)
+    effort.weigh(500, 0)
     calls = 0
     while not effort():
         calls += 1

@@ -112,16 +112,15 @@ def _explains(
     found = leaning_reading(core, leaning, lifted)
     if not found.plausible or blamed is None:
         return found.plausible
-    careful = found.rms < min(CAREFUL_RMS, TIMES_BETTER * blamed.rms)
-    if not careful and found.information >= blamed.information:
+    if found.rms > CAREFUL_RMS and found.information >= blamed.information:
         return False
     # Without it the drawing may be met better than was seen from nearby, to the last digits even.
     other = _lift_without(core, blamed.ids[0], effort=effort)
     if other is None or other.doubtful:
         return True
     best = reading_of(without(core, blamed.ids[0]), other)
-    careful = found.rms < min(CAREFUL_RMS, TIMES_BETTER * best.rms)
-    return careful or found.information < best.information
+    hardly_better = found.rms < min(CAREFUL_RMS, TIMES_BETTER * best.rms)
+    return hardly_better or found.information < best.information
 
 
 def _as_wished(

@@ -187,7 +187,9 @@ def test_tiles_cover_the_sheet(page, sheets):
     area = float(np.prod(np.subtract(drawing.high_mm, drawing.low_mm)))
     assert len(boxes_of(pdf)) >= area / float(np.prod(room))
     assert len(boxes_of(pdf)) <= 4 * math.ceil(area / float(np.prod(room)))
-    assert all(" re W n" in text for text in contents_of(pdf))
+    clips = [re.search(r"([\d.]+) ([\d.]+) \S+ \S+ re W n", text) for text in contents_of(pdf)]
+    # Lines on the drawing's very border, as the scale bar is, are not cut in half.
+    assert {clip.groups() for clip in clips} == {("9.9", "9.9")}
 
 
 def test_the_parts_list_adds_up(joined, sheets):
@@ -259,3 +261,19 @@ def test_fifty_plates_need_one_sheet_more_than_their_area_at_most(seed):
     room = (593.0, 393.0)
     bound = math.ceil(sum(w * h for w, h in sizes) / (room[0] * room[1]))
     assert max(place.sheet for place in pack(sizes, room)) + 1 <= bound + 1
+
+
+def test_marks_that_are_other_numbers_upside_down_have_a_bar():
+    """A 6 has one as soon as there is a 9."""
+    joined = joined_plates(shapes.box(120, 80, 60))
+    joints = joined.joints[:9]
+    assert len(joints) == 9
+    with_nine, without = (edge_marks(joined.plates, some) for some in (joints, joints[:8]))
+    more = {id_: len(with_nine[id_]) - len(without[id_]) for id_ in without}
+    six, nine = joints[5].meeting, joints[8].meeting
+    expected = dict.fromkeys(more, 0)
+    for id_ in (*six.one[:1], *six.two[:1]):
+        expected[id_] += 1  # the bar
+    for id_ in (*nine.one[:1], *nine.two[:1]):
+        expected[id_] += 2  # the digit and its bar
+    assert more == expected

@@ -4,7 +4,7 @@ Terms
 -----
 mark
     The joint's number in single strokes, in the plate's frame, as near to the joint as there is
-    room for it.
+    room for it. One that is another number upside down, as 6 is, has a bar below.
 """
 
 from __future__ import annotations
@@ -22,6 +22,9 @@ from .plates import Plate
 from .strokes import text_strokes, text_width_mm
 
 HEIGHT_MM = 3.0
+#: Between a mark and the bar below it.
+BAR_MM = 0.8
+_UPSIDE_DOWN = dict(zip("01689", "01986", strict=True))
 #: How far from its joint a mark may lie, mm, and how far from borders and other marks.
 _REACH_MM, _CLEAR_MM = 40.0, 1.0
 
@@ -49,15 +52,36 @@ def edge_marks(plates: Sequence[Plate], joints: Sequence[Joint]) -> dict[str, li
     for number, joint in enumerate(joints, start=1):
         ends = (joint.meeting.one[0], joint.meeting.two[0])
         sides = [holders[face] for face in ends if face in holders]
-        text = str(number)
+        text = _text(number, len(joints))
         spots = [_spot(plate, free[plate.id], taken[plate.id], joint, text) for plate in sides]
         if len(sides) < 2 or any(spot is None for spot in spots):
             continue
         for plate, spot in zip(sides, spots, strict=True):
             assert spot is not None
-            strokes[plate.id] += text_strokes(text, spot, HEIGHT_MM)
+            strokes[plate.id] += _strokes(text, spot)
             taken[plate.id].append(_rooms(np.array([spot]), text)[0])
     return strokes
+
+
+def _text(number: int, most: int) -> str:
+    """A mark's text: a number, and an underscore after it for the bar."""
+    text = str(number)
+    other = "".join(_UPSIDE_DOWN.get(digit, "?") for digit in reversed(text))
+    twofold = other.isdigit() and other != text and other[0] != "0" and int(other) <= most
+    return f"{text}_" if twofold else text
+
+
+def _strokes(text: str, spot: tuple[float, float]) -> list[Array]:
+    digits, (x, y) = text.rstrip("_"), spot
+    if digits == text:
+        return text_strokes(text, spot, HEIGHT_MM)
+    bar = np.round([(x, y), (x + text_width_mm(digits, HEIGHT_MM), y)], 6)
+    return [*text_strokes(digits, (x, y + BAR_MM), HEIGHT_MM), bar]
+
+
+def _size(text: str) -> tuple[float, float]:
+    digits = text.rstrip("_")
+    return text_width_mm(digits, HEIGHT_MM), HEIGHT_MM + (0.0 if digits == text else BAR_MM)
 
 
 @cache
@@ -70,8 +94,7 @@ def _grid() -> Array:
 
 def _rooms(lows: Array, text: str) -> Array:
     """The boxes of a mark by their lower left corners: x and y from, x and y to, (n, 4)."""
-    size = (text_width_mm(text, HEIGHT_MM), HEIGHT_MM)
-    return np.hstack([lows, lows + size])
+    return np.hstack([lows, lows + _size(text)])
 
 
 def _spot(
@@ -80,7 +103,8 @@ def _spot(
     """The lower left corner of a mark near its joint; None where there is no room."""
     place = plate.world_from_plate
     x, y, _ = (place[:3, :3].T @ (np.array(joint.meeting.middle_mm) - place[:3, 3])).tolist()
-    lows = np.add(_grid(), [x - text_width_mm(text, HEIGHT_MM) / 2, y - HEIGHT_MM / 2])
+    width, height = _size(text)
+    lows = np.add(_grid(), [x - width / 2, y - height / 2])
     # Most find room at once.
     for part in np.split(lows, (40, 200)):
         rooms = _rooms(part, text)

@@ -96,8 +96,10 @@ def _content(page: _Page, drawing: Drawing, preset: Preset) -> bytes:
     lines += [f"{HAIRLINE_MM} w 1 j 1 J", "q"]
     border, (width, height) = page.border_mm, page.size_mm
     if page.label:
-        room = (width - 2 * border, height - 2 * border)
-        lines.append(f"{plain(border)} {plain(border)} {plain(room[0])} {plain(room[1])} re W n")
+        # A line on the very edge is whole.
+        low = border - HAIRLINE_MM
+        room = (width - 2 * low, height - 2 * low)
+        lines.append(f"{plain(low)} {plain(low)} {plain(room[0])} {plain(room[1])} re W n")
     shift = np.array([border, border]) - page.low_mm
     colour = ""
     for path in drawing.paths:

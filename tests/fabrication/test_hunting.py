@@ -30,10 +30,18 @@ def test_prints_of_random_shapes(family, seed):
 
 @pytest.mark.parametrize(
     ("family", "seed"),
-    [("slanted_lid", 7013), ("slanted_lid", 7038), ("convex", 7030), ("polycube", 8145)],
+    [
+        ("slanted_lid", 7013),
+        ("slanted_lid", 7038),
+        ("convex", 7030),
+        ("polycube", 8145),
+        ("convex", 9328),
+        ("house", 9319),
+    ],
 )
 def test_plates_that_hunts_have_found(family, seed):
-    """A leaning opening over right-angled walls, twice; a side of 4e-7 mm; a mouth of 0.05 mm."""
+    """A leaning opening over right-angled walls, twice; a side of 4e-7 mm; a mouth of 0.05 mm;
+    a hole beside a tip that another plate's corner made; rings that touch themselves."""
     assert outcome(family, seed, printed=False) == ("made", [])
 
 

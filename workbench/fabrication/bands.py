@@ -34,7 +34,13 @@ from .seams import EdgeKey, EdgeNames, Seam, Seams, edge_frame, find_seams
 from .settings import PlateSettings
 from .slanted_walls import FINE_MM, SlantedWall, slanted_walls
 from .slivers import without_slivers
-from .trimming import on_its_side, pointed, trimmed, trimmed_at_openings
+from .trimming import (
+    on_its_side,
+    pointed,
+    trimmed,
+    trimmed_at_openings,
+    without_pinholes,
+)
 from .walls import tidy, without_specks
 
 #: Up to such a part of a plate may be left out: corners that joints would cut loose.
@@ -113,22 +119,27 @@ def _outlines(
     names = EdgeNames(model)
     bands = _bands(walls, seams, edges, plan, settings, names)
     outlines = [_outline(w, walls, edges, bands) for w in range(len(walls))]
+    slotted = list(outlines)
     outlines = pointed(walls, seams, outlines)
     outlines = on_its_side(walls, outlines, drawn, settings.side)
     if partitions:
         walls = (*walls, *partitions)
         outlines += [Polygon(wall.rings[0], wall.rings[1:]) for wall in partitions]
         outlines = trimmed_at_openings(walls, openings, outlines, len(made))
+        whole = outlines
         outlines = partitioned(walls, outlines, len(made), plan, settings, names)
-    outlines = trimmed(walls, outlines)
-    whole = [
+        lost = [a.difference(b) for a, b in zip(whole, outlines, strict=True)]
+        slotted += whole[len(made) :]
+        slotted = [a.difference(b) for a, b in zip(slotted, lost, strict=True)]
+    outlines = without_pinholes(walls, trimmed(walls, outlines), slotted)
+    cut = [
         _whole(wall, without_slivers(outline, wall.thickness_mm, settings.beam_mm))
         for wall, outline in zip(walls, outlines, strict=True)
     ]
     order = list(model.faces)
     ranks = [order.index(wall.face_ids[0]) for wall in walls]
     sequence = sorted(range(len(walls)), key=ranks.__getitem__)
-    return tuple(walls[n] for n in sequence), [whole[n] for n in sequence]
+    return tuple(walls[n] for n in sequence), [cut[n] for n in sequence]
 
 
 def _whole(wall: SlantedWall, outline: Polygon) -> Polygon:

@@ -199,15 +199,15 @@ def _runs(
             clear = carrier.thickness_mm
             for low, high in _spans(shadow_of(partition, shared), contact.start, contact.along):
                 blocked.append((low - clear, high + clear))
-    whole = outlines[p].union(band)
+    whole = outlines[p].union(band, grid_size=FINE_MM)
     deep = contact.strip(contact.span, (contact.tip, contact.notch + partition.thickness_mm))
-    blocked += _spans(deep.difference(whole), contact.start, contact.along)
+    blocked += _spans(deep.difference(whole, grid_size=FINE_MM), contact.start, contact.along)
     # The slots of partners are no borders.
     slots = [other.opening(ends, 1e-3) for other, ends in taken.tabs if other in partners]
-    whole = shapely.union_all([outlines[w], *slots])
+    whole = shapely.union_all([outlines[w], *slots], grid_size=FINE_MM)
     free = whole.buffer(-carrier.thickness_mm, join_style="mitre")
     lane = contact.opening(contact.span, 0.0)
-    blocked += _spans(lane.difference(free), contact.origin, contact.way)
+    blocked += _spans(lane.difference(free, grid_size=FINE_MM), contact.origin, contact.way)
     return _without(contact.span, blocked)
 
 

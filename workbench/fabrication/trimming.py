@@ -169,6 +169,41 @@ def trimmed(walls: Sequence[SlantedWall], outlines: Sequence[Polygon]) -> list[P
     return result
 
 
+def without_pinholes(
+    walls: Sequence[SlantedWall], outlines: Sequence[Polygon], slotted: Sequence[Polygon]
+) -> list[Polygon]:
+    """The outlines without the thin rims around holes that trimming left near a border.
+
+    What another plate's corner takes of a plate opens through the border then. Holes that were
+    drawn, and slots, stay.
+
+    Parameters
+    ----------
+    walls : sequence of SlantedWall
+    outlines : sequence of Polygon
+    slotted : sequence of Polygon
+        With the slots cut and nothing trimmed.
+    """
+    result = list(outlines)
+    for n, (wall, outline) in enumerate(zip(walls, outlines, strict=True)):
+        for part in shapely.get_parts(outline):
+            border = part.exterior
+            for ring in part.interiors:
+                hole = Polygon(ring)
+                trimmed_off = hole.intersection(slotted[n]).area > 0.5 * hole.area
+                if trimmed_off and border.distance(ring) < wall.thickness_mm:
+                    result[n] = result[n].difference(_rim(part, hole, wall.thickness_mm))
+    return result
+
+
+def _rim(part: Polygon, hole: Polygon, thickness: float) -> Polygon:
+    """What is thinner than a thickness around a hole."""
+    half = 0.51 * thickness
+    kept = part.buffer(-half, join_style="mitre").buffer(half, join_style="mitre")
+    around = hole.buffer(1.1 * thickness, join_style="mitre")
+    return around.difference(kept)
+
+
 def _polygon(section: manifold3d.CrossSection) -> Polygon:
     rings = [Polygon(ring) for ring in section.to_polygons() if len(ring) > 2]
     return shapely.union_all([ring.buffer(0) for ring in rings])

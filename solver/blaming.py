@@ -20,6 +20,7 @@ import numpy as np
 
 from .annotations import Angle, Diameter, Length, targets_of
 from .diagnosis import (
+    COMPARABLE,
     MANY_UNKNOWNS,
     MAX_TRIED,
     MAX_UNKNOWNS,
@@ -53,6 +54,8 @@ SUSPICIOUS = 12.0
 GROSS_RMS = 0.03
 #: So many are named where none is proved to be false.
 MOST_SUSPECTS = 3
+#: Without what is blamed so much of the misfit goes, at least, to first order from far away.
+WORTH_A_TRY = 0.05
 #: Readings whose information differs by less explain a drawing equally well.
 TIE = 0.5
 #: Iterations from a shape that is known already.
@@ -105,8 +108,8 @@ class Blame:
         A sentence for people.
     held : bool
         Whether all annotations hold all the same, and only the drawing is not followed.
-    information : float
-        Of the reading without the first (`Reading.information`).
+    information, rms : float
+        Of the reading without the first (`Reading.information`, `Reading.rms`).
     explains : bool
         Whether the drawing is followed without it, and nothing speaks against the rest any more.
     """
@@ -115,6 +118,7 @@ class Blame:
     message: str
     held: bool
     information: float = math.inf
+    rms: float = 0.0
     explains: bool = False
 
 
@@ -195,8 +199,8 @@ def _is_large(lifted: Candidate) -> bool:
 
 
 def relieving(
-    graph: SketchGraph, lifted: Candidate, whole: Reading, *, any_: bool = False
-) -> list[str]:
+    graph: SketchGraph, lifted: Candidate, whole: Reading, *, far: bool = False
+) -> list[tuple[str, float]]:
     """Annotations without which, to first order, the drawing is met better than chance allows.
 
     Parameters
@@ -205,18 +209,24 @@ def relieving(
     lifted : Candidate
     whole : Reading
         Of it.
-    any_ : bool
-        Whether chance may do as much: from far away first order tells little.
+    far : bool
+        Whether chance may do as much, for from far away first order tells little.
+
+    Returns
+    -------
+    list of (annotation id, part of the misfit that goes)
+        The likeliest first.
     """
-    unit = drawn_diagonal(lifted.problem) ** 2
+    unit = drawn_diagonal(lifted.problem) ** 2 * max(whole.misfit, 1e-300)
     found = []
     for relief in reliefs(graph, lifted.full, lifted.minimum.x):
-        misfit = max(whole.misfit - relief.gain / unit, 0.0)
+        goes = min(relief.gain / unit, 1.0)
         n_free = whole.n_free + max(1, relief.freed)
+        misfit = whole.misfit * (1 - goes)
         part = replace(whole, misfit=misfit, n_free=n_free, plausible=True, converged=True)
-        if any_ or contradicts(whole, part):
-            found.append((part.information, relief.id))
-    return [id_ for _, id_ in sorted(found)]
+        if (far and goes > WORTH_A_TRY) or contradicts(whole, part):
+            found.append((part.information, relief.id, goes))
+    return [(id_, goes) for _, id_, goes in sorted(found)]
 
 
 def blame_by_relief(
@@ -234,11 +244,12 @@ def blame_by_relief(
     """
     whole = reading_of(graph, lifted)
     trials = _Trials(graph, whole, KnownShape.at(lifted.full, lifted.minimum.x), stop, afresh)
-    for id_ in relieving(graph, lifted, whole, any_=trials.far)[:MAX_TRIED]:
+    suspects = relieving(graph, lifted, whole, far=trials.far)[:MAX_TRIED]
+    for id_, _ in suspects:
         trials.near(id_)
     if trials.far and trials.explained():
-        # From here a shape may be out of reach.
-        trials.lost_ones_afresh()
+        # From here the shape without a rival may be out of reach.
+        trials.lost_ones_afresh(suspects)
     return _blame_of(graph, lifted.problem, trials)
 
 
@@ -261,13 +272,15 @@ def find_blame(
     """
     whole, shape = reading_of(graph, lifted), KnownShape.at(lifted.full, lifted.minimum.x)
     trials = _Trials(graph, whole, shape, stop, afresh)
+    suspects: list[tuple[str, float]] = []
     for relaxed in relax(graph, lifted.problem, lifted.minimum.x, stop, lost=lost):
         trials = replace(trials, known=relaxed.shape)
-        convict([(s.id, s.weight) for s in relaxed.suspects], trials.near)
+        suspects = [(s.id, s.weight) for s in relaxed.suspects]
+        convict(suspects, trials.near)
         if not trials.far or trials.explained():
             break
     if trials.far:
-        trials.lost_ones_afresh()
+        trials.lost_ones_afresh(suspects)
     return _blame_of(graph, lifted.problem, trials)
 
 
@@ -282,6 +295,7 @@ class _Trials:
     afresh: Afresh
     shapes: dict[str, Candidate | None] = field(default_factory=dict)
     readings: dict[str, Reading] = field(default_factory=dict)
+    alone: dict[Candidate, bool] = field(default_factory=dict)
 
     @property
     def far(self) -> bool:
@@ -294,7 +308,11 @@ class _Trials:
             return False
         id_, reading = best_first(self.readings.items())[0]
         shape = self.shapes[id_]
-        return shape is not None and not relieving(without(self.graph, id_), shape, reading)
+        if shape is None:
+            return False
+        if shape not in self.alone:
+            self.alone[shape] = not relieving(without(self.graph, id_), shape, reading)
+        return self.alone[shape]
 
     def near(self, id_: str) -> Reading | None:
         """Begun from the shape that is known."""
@@ -302,14 +320,22 @@ class _Trials:
             return None
         return self._seen(id_, lift_near(without(self.graph, id_), self.known, self.stop))
 
-    def lost_ones_afresh(self) -> None:
-        """Begun from nothing, where no shape was found nearby; until one explains the drawing."""
+    def lost_ones_afresh(self, suspects: list[tuple[str, float]]) -> None:
+        """Begun from nothing where no good shape was found nearby, until one explains the drawing.
+
+        Where one does already, rivals only: those of which first sight said nearly as much, and
+        all where what explains it leaves more open than one number, with which much is explained.
+        """
         explained = self.explained()
-        for k, id_ in enumerate(list(self.shapes)):
+        heavy = COMPARABLE * max((weight for _, weight in suspects), default=0.0)
+        if explained and best_first(self.readings.items())[0][1].n_free > self.whole.n_free + 1:
+            heavy = 0.0
+        rivals = {id_ for id_, weight in suspects[:MOST_SUSPECTS] if weight >= heavy}
+        for id_ in list(self.shapes):
             reading = self.readings.get(id_)
-            lost = reading is None or not reading.plausible or k < MOST_SUSPECTS
-            hopeless = explained and not lost
-            if not (self.stop() or hopeless or (reading is not None and reading.explains)):
+            if self.stop() or (reading is not None and reading.explains):
+                continue
+            if not explained or id_ in rivals:
                 again = self._seen(id_, self.afresh(id_))
                 if not explained and again is not None and again.explains:
                     break
@@ -358,6 +384,7 @@ def _blame(
             f"Solved, but {_or(ids)} contradicts the drawing: {missed}.",
             True,
             information=best.information,
+            rms=best.rms,
             explains=explains,
         )
     return Blame(
@@ -365,6 +392,7 @@ def _blame(
         f"{_or(ids)} contradicts the rest: {missed}. Solved without {ids[0]}.",
         False,
         information=best.information,
+        rms=best.rms,
         explains=explains,
     )
 

@@ -51,11 +51,13 @@ def lift_or_blame(
     lifted = lift_as_guessed(core, structure, effort) or lift(core, structure, effort, wary=True)
     if lifted is None or effort.stopped:
         return lifted, None
-    lifted, leaning = _with_lean(core, structure, lifted, effort)
+    relieved, leaning = _at_first_sight(core, lifted, effort), None
+    if relieved is None or not relieved.explains or relieved.rms > CLEAR_RMS:
+        lifted, leaning = _with_lean(core, structure, lifted, effort)
     if effort.stopped or _is_fine(core, lifted):
         return leaning or lifted, None
     effort.doing("looking for annotations that disagree")
-    blamed = _most_to_blame(core, lifted, effort)
+    blamed = _most_to_blame(core, lifted, relieved, effort)
     if effort.stopped:
         return lifted, None
     if leaning is not None and _explains(core, leaning, lifted, blamed, effort):
@@ -80,10 +82,20 @@ def lift_or_blame(
     return lifted, blamed
 
 
-def _most_to_blame(core: SketchGraph, lifted: Lifted, effort: Effort) -> Blame | None:
+def _at_first_sight(core: SketchGraph, lifted: Lifted, effort: Effort) -> Blame | None:
+    """What a first look that misses the drawing by far shows already."""
+    if not lifted.doubtful:
+        return None
+    return blame_by_relief(core, lifted, effort, partial(_lift_without, core, effort=effort))
+
+
+def _most_to_blame(
+    core: SketchGraph, lifted: Lifted, relieved: Blame | None, effort: Effort
+) -> Blame | None:
     """Looked for from here, and from other beginnings where that does not explain the drawing."""
     afresh = partial(_lift_without, core, effort=effort)
-    relieved = blame_by_relief(core, lifted, effort, afresh)
+    if relieved is None and not lifted.doubtful:
+        relieved = blame_by_relief(core, lifted, effort, afresh)
     if relieved is not None and relieved.explains:
         return relieved
     found = find_blame(core, lifted, effort, afresh, lost=lifted.doubtful)

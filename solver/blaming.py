@@ -54,6 +54,8 @@ SUSPICIOUS = 12.0
 GROSS_RMS = 0.03
 #: So many are named where none is proved to be false.
 MOST_SUSPECTS = 3
+#: Where a drawing is met so well (RMS, parts of its diagonal), it does not lean.
+CLEAR_RMS = 0.0035
 #: Without what is blamed so much of the misfit goes, at least, to first order from far away.
 WORTH_A_TRY = 0.05
 #: Readings whose information differs by less explain a drawing equally well.
@@ -108,18 +110,20 @@ class Blame:
         A sentence for people.
     held : bool
         Whether all annotations hold all the same, and only the drawing is not followed.
-    information, rms : float
-        Of the reading without the first (`Reading.information`, `Reading.rms`).
+    information : float
+        Of the reading without the first (`Reading.information`).
     explains : bool
         Whether the drawing is followed without it, and nothing speaks against the rest any more.
+    clear : bool
+        Whether that is so at the price of one number, and so well that no lean does as much.
     """
 
     ids: tuple[str, ...]
     message: str
     held: bool
     information: float = math.inf
-    rms: float = 0.0
     explains: bool = False
+    clear: bool = False
 
 
 def reading_of(graph: SketchGraph, lifted: Candidate) -> Reading:
@@ -369,6 +373,7 @@ def _blame(
     explains: bool,
 ) -> Blame:
     best = against[0][1]
+    clear = explains and best.rms < CLEAR_RMS and best.n_free <= whole.n_free + 1
     fall = whole.information - best.information
     named = [(id_, r) for id_, r in against if whole.information - r.information > fall / 2]
     ids = tuple(id_ for id_, _ in sorted(named, key=partial(_order, graph, best)))
@@ -384,16 +389,16 @@ def _blame(
             f"Solved, but {_or(ids)} contradicts the drawing: {missed}.",
             True,
             information=best.information,
-            rms=best.rms,
             explains=explains,
+            clear=clear,
         )
     return Blame(
         ids,
         f"{_or(ids)} contradicts the rest: {missed}. Solved without {ids[0]}.",
         False,
         information=best.information,
-        rms=best.rms,
         explains=explains,
+        clear=clear,
     )
 
 

@@ -52,7 +52,7 @@ def lift_or_blame(
     if lifted is None or effort.stopped:
         return lifted, None
     relieved, leaning = _at_first_sight(core, lifted, effort), None
-    if relieved is None or not relieved.explains or relieved.rms > CLEAR_RMS:
+    if relieved is None or not relieved.clear:
         lifted, leaning = _with_lean(core, structure, lifted, effort)
     if effort.stopped or _is_fine(core, lifted):
         return leaning or lifted, None

@@ -77,6 +77,7 @@ class SketchView(PhotoView):
     ) -> None:
         super().__init__(parent)
         self._hint = ""
+        self._no_key_yet = False
         self._told: tuple[SketchGraph, Selection] = (graph, Selection())
         listener = Listener(
             self.graph_edited.emit, self._refresh, self._ask, self.rectangle_told.emit
@@ -330,6 +331,7 @@ class SketchView(PhotoView):
 
     def event(self, event: QtCore.QEvent) -> bool:
         """Claim our keys before FreeCAD's shortcuts: Delete would delete the selected object."""
+        self._note_first_key(event)
         if event.type() == QtCore.QEvent.ShortcutOverride and (
             keys.meaning(event) or self._sized_by(event)
         ):
@@ -340,6 +342,17 @@ class SketchView(PhotoView):
             self.keyPressEvent(event)
             return True
         return super().event(event)
+
+    def _note_first_key(self, event: QtCore.QEvent) -> None:
+        """Take a key whose press was kept from us: Qt took it for the rest of a shortcut."""
+        kind = event.type()
+        if kind == QtCore.QEvent.FocusIn:
+            self._no_key_yet = event.reason() == _Qt.MouseFocusReason
+        elif kind in (QtCore.QEvent.ShortcutOverride, QtCore.QEvent.KeyPress):
+            self._no_key_yet = False
+        elif kind == QtCore.QEvent.KeyRelease and self._no_key_yet and keys.meaning(event):
+            self._no_key_yet = False
+            self.keyPressEvent(event)
 
     def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:  # noqa: N802
         """Do what a key means; for zooming and panning see `PhotoView`."""

@@ -11,6 +11,7 @@ from ..canvas.qt import QtCore, QtGui
 from ..features.photo_sketch import is_photo_sketch
 from . import annotation_dock, open_tabs, recovery, shared_selection, view_through
 from .controller import SketchController
+from .shortcut_rest import ShortcutRest
 from .tool_buttons import show_active_tool
 
 
@@ -50,6 +51,7 @@ def _add_to_window(controller: SketchController) -> None:
         subwindow.show()
     key = open_tabs.key_of(controller.obj)
     controller.tab.destroyed.connect(lambda *_: _forget(key, controller))
+    ShortcutRest(controller.tab.view)
     _keep_buttons_right(controller)
     annotation_dock.follow(controller)
     _share_selection(controller)

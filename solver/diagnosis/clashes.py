@@ -63,7 +63,8 @@ def find_clash(graph: SketchGraph, stop: Stop | None = None) -> Clash:
     search = _Search(graph, stop)
     culprits = sorted(search.culprits(), key=search.said.index, reverse=True)
     search.limit = len(search.asked) + max(MORE_QUESTIONS, MORE_AMONG_FEW // len(search.said))
-    clash = search.smallest((culprits or search.said[-1:])[0])
+    # Without any culprit all others agree: each clash has them all.
+    clash = search.smallest(culprits or search.said[-1:])
     others = [k for k in search.said if k in clash - set(culprits)]
     if not build_structure(graph).contradiction:
         # Of what is said of sizes the directions are not to blame.
@@ -130,10 +131,10 @@ class _Search:
                     parts += [part[::2], part[1::2]]
         return found
 
-    def smallest(self, member: str) -> set[str]:
-        """A clash with a member, such that no part of it clashes; near annotations preferred."""
-        near = self._by_distance(member)
-        clash = [member]
+    def smallest(self, members: Sequence[str]) -> set[str]:
+        """A clash with some members, no part of which clashes; near annotations preferred."""
+        near = [id_ for id_ in self._by_distance(members[0]) if id_ not in members]
+        clash = list(members)
         while near and self.agree(clash):
             k = self._first_clash(clash, near)
             if self.tired:

@@ -20,6 +20,7 @@ from .annotations import Angle, Annotation
 from .errors import SketchError
 from .graph import SketchGraph
 from .ids import need
+from .revolution import without_profiles
 
 Corner = tuple[str, str]
 RIGHT_DEG = 90.0
@@ -64,9 +65,15 @@ def need_angle(graph: SketchGraph, corner: Corner, angle_deg: float) -> str:
     Raises
     ------
     SketchError
-        Where the edges are not there or do not meet, or the angle cannot be.
+        Where the edges are not there, do not meet or follow circles, or the angle cannot be.
     """
     need(corner, graph.edges)
+    if graph.revolutions and not set(corner) <= without_profiles(graph).edges.keys():
+        raise SketchError(
+            "the side of a surface of revolution takes no angles",
+            corner,
+            "lengths of its edges, or diameters",
+        )
     shared = set(graph.edges[corner[0]]) & set(graph.edges[corner[1]])
     if len(shared) != 1:
         raise SketchError("edges that do not meet make no angle", corner, "two that meet")

@@ -14,7 +14,14 @@ from incontext.solver.dimensions.angles import angles_deg, driving_angles_deg, w
 from incontext.solver.said_angles import angle_id, with_angles
 from incontext.solver.serialise import sketch_from_text, sketch_to_text
 from incontext.solver.solution import Status
-from incontext.solver.synthetic import Views, photograph_exactly, random_camera, wedge
+from incontext.solver.synthetic import (
+    LID,
+    Views,
+    photograph_exactly,
+    photograph_turned,
+    random_camera,
+    wedge,
+)
 from incontext.solver.synthetic.photographs import with_noise
 from incontext.solver.synthetic.shapes import hexagonal_box, house, tapered_tray
 
@@ -183,6 +190,36 @@ def test_edges_that_do_not_meet_or_are_not_there_are_refused():
         solve(graph, angles_deg={("e0", "e7"): 60.0})
     with pytest.raises(SketchError, match="no such element"):
         solve(graph, angles_deg={("e0", "e99"): 60.0})
+
+
+def test_sides_of_surfaces_of_revolution_take_none():
+    graph, _ = photograph_turned(LID, np.random.default_rng(0))
+    first, second, *_ = graph.edges
+    with pytest.raises(SketchError, match="surface of revolution"):
+        solve(graph, angles_deg={(first, second): 120.0})
+
+
+def test_a_known_camera_stays_where_it_is():
+    shape = house()
+    rng = np.random.default_rng(5)
+    camera = random_camera(shape, rng, Views())
+    graph = replace(photograph_exactly(shape, camera), camera=camera)
+    before = solve(graph)
+    corner = next(iter(slanted(graph, before)))
+    after = solve(graph, angles_deg={corner: 118.0})
+    assert after.status is Status.CONVERGED
+    assert angles_deg(graph, after)[corner] == pytest.approx(118, abs=1e-9)
+    assert after.camera.rotation_cam_from_world == pytest.approx(camera.rotation_cam_from_world)
+    assert abs(after.vertices_mm["v0"] - before.vertices_mm["v0"]).max() < 5
+
+
+def test_without_any_length_the_rest_stays_as_large_as_it_is():
+    shape = house().without("length")
+    graph = photograph_exactly(shape, random_camera(shape, np.random.default_rng(5), Views()))
+    corner = next(iter(slanted(graph, solve(graph))))
+    after = solve(graph, angles_deg={corner: 118.0})
+    assert (after.status, after.scale_assumed) == (Status.CONVERGED, True)
+    assert angles_deg(graph, after)[corner] == pytest.approx(118, abs=1e-9)
 
 
 def test_sketch_files_have_no_such_words():

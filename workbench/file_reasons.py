@@ -104,6 +104,8 @@ FILE_REASONS = (
     "only right angles stand in a sketch; others are said of the model",
     "between {} and {} degrees: edges at 0 or 180 degrees lie on one line",
     "take one of the others away first",
+    "the side of a surface of revolution takes no angles",
+    "lengths of its edges, or diameters",
     "the model's angles are no JSON",
     "the papers' methods know no angle between {0} and {1} but a right one",
     "free that angle, or take {}",

@@ -160,6 +160,10 @@
         <translation>diesen Winkel freigeben oder {} wählen</translation>
     </message>
     <message>
+        <source>lengths of its edges, or diameters</source>
+        <translation>Längen ihrer Kanten oder Durchmesser</translation>
+    </message>
+    <message>
         <source>no angle lies between these: select two drawn edges that meet</source>
         <translation>zwischen diesen liegt kein Winkel: zwei gezeichnete Kanten auswählen, die sich treffen</translation>
     </message>
@@ -182,6 +186,10 @@
     <message>
         <source>the papers' methods know no angle between {0} and {1} but a right one</source>
         <translation>die Methoden der Veröffentlichungen kennen zwischen {0} und {1} nur einen rechten Winkel</translation>
+    </message>
+    <message>
+        <source>the side of a surface of revolution takes no angles</source>
+        <translation>die Seite einer Rotationsfläche nimmt keine Winkel an</translation>
     </message>
     <message>
         <source>{}: not a length, the old one stays.</source>

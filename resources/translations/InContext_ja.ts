@@ -160,6 +160,10 @@
         <translation>その角度を解除するか、{} を選んでください</translation>
     </message>
     <message>
+        <source>lengths of its edges, or diameters</source>
+        <translation>そのエッジの長さか、直径</translation>
+    </message>
+    <message>
         <source>no angle lies between these: select two drawn edges that meet</source>
         <translation>この間に角度はありません：描かれた、つながった 2 本のエッジを選択してください</translation>
     </message>
@@ -182,6 +186,10 @@
     <message>
         <source>the papers' methods know no angle between {0} and {1} but a right one</source>
         <translation>論文の方法では {0} と {1} の間の角度は直角しか扱えません</translation>
+    </message>
+    <message>
+        <source>the side of a surface of revolution takes no angles</source>
+        <translation>回転面の側線には角度を指定できません</translation>
     </message>
     <message>
         <source>{}: not a length, the old one stays.</source>

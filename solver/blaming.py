@@ -48,6 +48,9 @@ from .world import camera_above_ground, ground_indices, is_upright, nothing_sink
 #: A first view that misses the drawing by this part of its diagonal (RMS) makes doubtful whether
 #: the annotations are true; a result that does so is looked at more closely.
 DOUBTFUL_RMS, CLOSER_LOOK_RMS, SMALL_LOOK_RMS = 0.03, 0.012, 0.0095
+#: Hands draw so well: what is missed by more, or by so little that nobody drew it, is worth the
+#: question what each annotation keeps the shape from, which takes longer than all else.
+ALL_BUT_EXACT, AS_DRAWN = 0.0015, 0.0055
 #: So much has to speak against an annotation for a closer look (Bayesian information).
 SUSPICIOUS = 12.0
 #: Further from the drawing than this nobody draws: an annotation that asks for it is not true.
@@ -190,9 +193,10 @@ def needs_a_closer_look(graph: SketchGraph, lifted: Candidate, *, dragging: bool
     problem = lifted.problem
     small = 3 * (len(problem.points) + len(problem.circles)) <= MANY_UNKNOWNS
     far = SMALL_LOOK_RMS if small and not dragging else CLOSER_LOOK_RMS
-    if drawing_rms(lifted) > far:
+    rms = drawing_rms(lifted)
+    if rms > far:
         return True
-    if dragging or _is_large(lifted):
+    if dragging or _is_large(lifted) or ALL_BUT_EXACT < rms < AS_DRAWN:
         found = leftover_suspects(graph, lifted.full, lifted.minimum.x)
         return bool(found) and found[0].weight > SUSPICIOUS
     return bool(relieving(graph, lifted, reading_of(graph, lifted)))

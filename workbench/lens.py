@@ -57,7 +57,9 @@ class Lens:
     bends_px : mapping of line to px
         How far each line bends.
     is_agreed : bool
-        Whether it makes all lines straight, and is told without any one of them too.
+        Whether it makes most lines straight, and is told without any one of these too.
+    left_out : tuple of lines
+        Those that it does not make straight: they are bent themselves, or found beside.
     """
 
     principal_px: Array
@@ -66,11 +68,13 @@ class Lens:
     sigma: float
     bends_px: Mapping[str, float]
     is_agreed: bool = True
+    left_out: tuple[str, ...] = ()
 
     @property
     def worst(self) -> str:
-        """The line that bends most."""
-        return max(self.bends_px, key=lambda line: self.bends_px[line])
+        """The line that bends most, of those that tell where they do."""
+        told = [line for line in self.bends_px if not (self.is_agreed and line in self.left_out)]
+        return max(told, key=lambda line: self.bends_px[line])
 
     @property
     def distorts(self) -> bool:
@@ -132,10 +136,32 @@ def lens_of(
         return None
     half = float(np.hypot(width, height)) / 2
     lines = [(p - principal) / half for p in seen.values()]
-    k, sigma = _distortion(lines)
     bends = {name: _bend(points) for name, points in seen.items()}
-    agreed = _is_sure(k, sigma) and _is_agreed(lines, k, half)
-    return Lens(np.asarray(principal, dtype=float), half, k, sigma, bends, agreed)
+    kept = _together_straight(lines, half)
+    own = [line for line, is_kept in zip(lines, kept, strict=True) if is_kept]
+    k, sigma = _distortion(own or lines)
+    agreed = len(own) > len(lines) / 2 and _is_sure(k, sigma) and _is_agreed(own, k, half)
+    out = tuple(name for name, is_kept in zip(seen, kept, strict=True) if not is_kept)
+    return Lens(np.asarray(principal, dtype=float), half, k, sigma, bends, agreed, out)
+
+
+def _together_straight(lines: list[Array], half_px: float) -> list[bool]:
+    """Which lines one lens makes straight: the most that any does, of those that lines tell."""
+    told = [0.0, _distortion(lines)[0], *(_distortion([line])[0] for line in lines)]
+    ways = [[_is_straight(line, k, half_px) for line in lines] for k in told]
+    kept = max(ways, key=sum)
+    for _ in range(3):
+        own = [line for line, is_kept in zip(lines, kept, strict=True) if is_kept]
+        if not own:
+            break
+        k = _distortion(own)[0]
+        kept = [_is_straight(line, k, half_px) for line in lines]
+    return kept
+
+
+def _is_straight(line: Array, k: float, half_px: float) -> bool:
+    before, after = (half_px * _bend(_moved(line, np.zeros(2), 1.0, by)) for by in (0.0, k))
+    return after < max(_LEAST_BEND_PX / 2, _LEFT * before)
 
 
 def _is_sure(k: float, sigma: float) -> bool:
@@ -144,10 +170,8 @@ def _is_sure(k: float, sigma: float) -> bool:
 
 def _is_agreed(lines: list[Array], k: float, half_px: float) -> bool:
     """Whether lines bend by the lens: one that found another edge bends by itself."""
-    for line in lines:
-        before, after = (half_px * _bend(_moved(line, np.zeros(2), 1.0, by)) for by in (0.0, k))
-        if after > max(_LEAST_BEND_PX / 2, _LEFT * before):
-            return False
+    if not all(_is_straight(line, k, half_px) for line in lines):
+        return False
     others = [[*lines[:n], *lines[n + 1 :]] for n in range(len(lines))]
     return len(lines) > 1 and all(_says_so(rest, k) for rest in others)
 

@@ -52,13 +52,17 @@ def near_slots(wall: Wall, outline: Polygon) -> Iterator[tuple[Polygon, LinearRi
     """The slots of a wall that are near, and the border that each is near to."""
     if outline.geom_type != "Polygon" or len(outline.interiors) == 0:
         return
-    rings = [Polygon(ring) for ring in outline.interiors]
+    holes = list(outline.interiors)
+    least = wall.thickness_mm - _ROUNDING_MM
+    if not wall.region.interiors and shapely.distance(outline.exterior, holes).min() >= least:
+        return  # no hole was drawn, and no slot is near: most walls
+    rings = [Polygon(ring) for ring in holes]
     # What a slot takes is the wall's; a hole that was drawn is not.
     slots = [ring for ring in rings if ring.intersection(wall.region).area > _LEAST_MM3]
     borders = [outline.exterior, *(ring.exterior for ring in rings if ring not in slots)]
     for slot in slots:
         for border in borders:
-            if border.distance(slot.exterior) < wall.thickness_mm - _ROUNDING_MM:
+            if border.distance(slot.exterior) < least:
                 yield slot, border
 
 

@@ -149,10 +149,10 @@ def leaning_openings(model: Model, frame: Frame) -> list[str]:
     """The ids of the faces left out that are square to no axis of a frame."""
     found = []
     for id_, face in model.faces.items():
-        area = frame.frame_from_world @ newell(face.loop_mm)
-        square = np.abs(area).max() > np.linalg.norm(area) * (1 - AXIS_TOLERANCE**2)
-        if not face.included and not square:
-            found.append(id_)
+        if not face.included:
+            area = frame.frame_from_world @ newell(face.loop_mm)
+            if np.abs(area).max() <= np.linalg.norm(area) * (1 - AXIS_TOLERANCE**2):
+                found.append(id_)
     return found
 
 

@@ -207,8 +207,27 @@ def _interval(at: float, thickness: float, towards: int, side: str) -> tuple[flo
 
 def tidy(polygon: Polygon) -> Polygon:
     """The same polygon without vertices in the middle of straight lines; ccw, holes cw."""
-    rings = [_straightened(np.array(ring.coords)[:-1]) for ring in _rings(polygon)]
-    return shapely.geometry.polygon.orient(Polygon(rings[0], rings[1:]))
+    # With few rings it is as quick to go through them.
+    if len(polygon.interiors) < 3 or not _is_tidy(polygon):
+        rings = [_straightened(np.array(ring.coords)[:-1]) for ring in _rings(polygon)]
+        polygon = Polygon(rings[0], rings[1:])
+    return shapely.geometry.polygon.orient(polygon)
+
+
+def _is_tidy(polygon: Polygon) -> bool:
+    """Whether there is nothing to be left out, looked at for all rings at once."""
+    rings = _rings(polygon)
+    counts = shapely.get_num_coordinates(rings)
+    starts = np.concatenate(([0], np.cumsum(counts - 1)[:-1]))
+    points = np.delete(shapely.get_coordinates(rings), np.cumsum(counts) - 1, axis=0)
+    last = starts + counts - 2
+    previous = np.arange(len(points)) - 1
+    previous[starts] = last
+    before = points - points[previous]
+    following = np.arange(len(points)) + 1
+    following[last] = starts
+    apart = np.abs(before).max(axis=1) > _ONE_PLACE_MM
+    return bool(apart.all() and not _turns_little(before, before[following]).any())
 
 
 def without_specks(polygon: Polygon) -> Polygon:
@@ -253,10 +272,12 @@ def _straightened(ring: Array) -> Array:
 
 def _straight(ring: Array) -> NDArray[np.bool_]:
     before = ring - np.concatenate((ring[-1:], ring[:-1]))
-    after = np.concatenate((before[1:], before[:1]))
+    return _turns_little(before, np.concatenate((before[1:], before[:1])))
+
+
+def _turns_little(before: Array, after: Array) -> NDArray[np.bool_]:
     turn = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
-    lengths = np.hypot(before[:, 0], before[:, 1])
-    scale = lengths + np.concatenate((lengths[1:], lengths[:1]))
+    scale = np.hypot(before[:, 0], before[:, 1]) + np.hypot(after[:, 0], after[:, 1])
     return np.asarray(np.abs(turn) <= 1e-7 * scale)
 
 

@@ -24,12 +24,12 @@ from .diagnosis import (
     MANY_UNKNOWNS,
     MAX_TRIED,
     MAX_UNKNOWNS,
+    Clash,
     KnownShape,
     Reading,
     best_first,
     contradicts,
     convict,
-    find_clash,
     leftover_suspects,
     pose_near,
     relax,
@@ -429,11 +429,15 @@ def suspicion(graph: SketchGraph, lifted: Candidate, stop: Stop) -> Blame | None
     return Blame(ids, f"Solved, but the drawing is missed by {px:.0f} px: check {_or(ids)}.", True)
 
 
+def blame_for_several(ids: tuple[str, ...]) -> Blame:
+    """What is said of a few that are false together."""
+    return Blame(ids, f"{_and(ids)} cannot hold with the rest: try removing them.", False)
+
+
 def blame_for_clash(
-    graph: SketchGraph, attempt: Callable[[str], Reading | None], stop: Stop
+    graph: SketchGraph, clash: Clash, attempt: Callable[[str], Reading | None]
 ) -> Blame:
     """Whom to blame where annotations cannot all hold, whatever the drawing."""
-    clash = find_clash(graph, stop)
     several = clash.culprits if len(clash.culprits) > 1 else ()
     tried = convict([(id_, 1.0) for id_ in several], attempt, afresh=True)
     ids = tuple(dict.fromkeys([*(id_ for id_, _ in tried), *clash.ids]))

@@ -11,6 +11,7 @@ from .blaming import (
     Blame,
     blame_by_relief,
     blame_for_clash,
+    blame_for_several,
     blame_for_wishes,
     find_blame,
     is_settled,
@@ -21,6 +22,7 @@ from .blaming import (
 from .diagnosis import (
     Reading,
     disagree,
+    false_together,
     find_clash,
     without,
 )
@@ -172,12 +174,28 @@ def lift_without_culprit(core: SketchGraph, effort: Effort) -> tuple[Lifted | No
         kept[id_] = lifted
         return reading_of(without(core, id_), lifted)
 
-    blamed = blame_for_clash(core, attempt, effort)
+    clash = find_clash(core, effort)
+    together = None if clash.culprits else _without_several(core, effort)
+    if together is not None:
+        return together
+    blamed = blame_for_clash(core, clash, attempt)
     first = blamed.ids[0]
     lifted = kept.get(first) or _lift_without(core, first, effort=effort)
     if lifted is None and not effort.stopped:
         lifted = _lift_without(core, *_several_culprits(core, first, effort), effort=effort)
     return None if lifted is None or lifted.doubtful else lifted, blamed
+
+
+def _without_several(core: SketchGraph, effort: Effort) -> tuple[Lifted, Blame] | None:
+    """The shape without a few that are false together, where the drawing shows which these are."""
+    ids: list[str] = []
+    for id_ in false_together(core, effort)[:MAX_CULPRITS]:
+        ids.append(id_)
+        if len(ids) > 1 and not disagree(without(core, *ids)):
+            lifted = _lift_without(core, *ids, effort=effort)
+            if lifted is not None and not lifted.doubtful:
+                return lifted, blame_for_several(tuple(ids))
+    return None
 
 
 def _several_culprits(core: SketchGraph, first: str, effort: Effort) -> list[str]:

@@ -75,6 +75,16 @@ def test_several_false_annotations_are_among_those_named():
     assert sorted(named) == ["a", "b"]
 
 
+def test_several_that_clash_are_named_together():
+    said = {"a": Parallel(("e0", "e1")), "b": Parallel(("e4", "e8"))}
+    for seed in range(4):
+        photo = photograph(box(), np.random.default_rng(seed), noise=0.003)
+        solution = solve(replace(photo.graph, annotations={**said, **photo.graph.annotations}))
+        assert set(solution.report.conflicts) == {"a", "b"}
+        assert "cannot hold with the rest: try removing them." in solution.message
+        assert photo.error(solution.vertices_mm) < 0.02
+
+
 def test_a_clash_has_all_its_culprits():
     said = {"a": Parallel(("e0", "e1")), "b": RightAngle("v1", ("e0", "e1")), "c": Ground(("v0",))}
     graph = photograph(box(), np.random.default_rng(0)).graph

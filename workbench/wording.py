@@ -43,6 +43,7 @@ SENTENCES = (
     "{} cannot all hold: take one of them away.",
     "{} cannot hold with what is said of the circles and the rest of the side: take one of these "
     "away.",
+    "{} cannot hold with the rest: try removing them.",
     "{0} cannot hold: try removing {0}.",
     "{0} cannot hold together with {1}: try removing {0}.",
     "{} contradicts the rest: with it the drawing is missed by {} px, without it by {} px.",

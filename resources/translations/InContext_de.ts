@@ -756,6 +756,10 @@
         <translation>Die Maße sind unsicher: mehr angeben, eine Länge nennen oder etwas Wirkliches im Foto nachzeichnen.</translation>
     </message>
     <message>
+        <source>{} cannot hold with the rest: try removing them.</source>
+        <translation>{} sind mit dem Rest nicht vereinbar: versuchsweise entfernen.</translation>
+    </message>
+    <message>
         <source>Only just enough is said, and other shapes may fit as well: mark more.</source>
         <translation>Es ist nur gerade genug gesagt, und andere Formen passen vielleicht ebenso gut: mehr angeben.</translation>
     </message>

@@ -756,6 +756,10 @@
         <translation>寸法は不確かです。指定を増やす、長さを与える、または写真の実物をなぞってください。</translation>
     </message>
     <message>
+        <source>{} cannot hold with the rest: try removing them.</source>
+        <translation>{} は残りの指定と両立しません。これらを外してみてください。</translation>
+    </message>
+    <message>
         <source>Only just enough is said, and other shapes may fit as well: mark more.</source>
         <translation>指定はちょうど足りるだけで、ほかの形も同じくらい合うかもしれません。もっと指定してください。</translation>
     </message>

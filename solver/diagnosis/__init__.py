@@ -2,7 +2,7 @@
 
 from .again import KnownShape, pose_in, pose_near
 from .blame import COMPARABLE, MAX_TRIED, Reading, best_first, contradicts, convict
-from .clashes import clashing_annotations, disagree, find_clash, without
+from .clashes import Clash, clashing_annotations, disagree, find_clash, without
 from .freedoms import Freedoms, freedoms
 from .helpful import busiest_vertex, most_helpful_corner, says_directions
 from .precision import UNSURE_SIZE_SIGMA, StandardErrors, focal_sigma, standard_errors
@@ -12,6 +12,7 @@ from .suspects import (
     MAX_UNKNOWNS,
     Relaxed,
     beginnings,
+    false_together,
     leftover_suspects,
     relax,
     spring_stiffness,
@@ -24,6 +25,7 @@ __all__ = [
     "MAX_TRIED",
     "MAX_UNKNOWNS",
     "UNSURE_SIZE_SIGMA",
+    "Clash",
     "Freedoms",
     "KnownShape",
     "Reading",
@@ -36,6 +38,7 @@ __all__ = [
     "contradicts",
     "convict",
     "disagree",
+    "false_together",
     "find_clash",
     "focal_sigma",
     "freedoms",

@@ -116,6 +116,28 @@ def relax(
                 yield _told(soft, x, weigh(soft, x, owners, stiffness))
 
 
+def false_together(graph: SketchGraph, stop: Stop) -> list[str]:
+    """Annotations that give way where all pull on the drawing's shape, the most strained first.
+
+    For several that are false together: no single one is to blame then.
+    """
+    problem = build_problem(graph, build_structure(graph, {}))
+    if 3 * (len(problem.points) + len(problem.circles)) > MAX_UNKNOWNS:
+        return []
+    soft = softened(graph, problem)
+    springs = _Springs(soft, spring_stiffness(problem), YIELD, stop)
+    tried = springs.all_relaxed(other_beginnings(graph, soft.problem), FIRST_ITERATIONS)
+    if not tried:
+        return []
+    x, _ = springs.relaxed(min(tried, key=lambda t: t[1])[0], ITERATIONS)
+    h = np.abs(soft.constraints(x)[0])
+    owned = rows_of_owners(row_owners(graph, soft))
+    strain = {id_: float(h[rows].max()) for id_, rows in owned.items()}
+    # Of those that ask for the same, the one that asks for least.
+    found = [k for k in strain if strain[k] > YIELD]
+    return sorted(found, key=lambda k: (-round(strain[k], 6), len(owned[k])))
+
+
 def beginnings(
     graph: SketchGraph, problem: Problem, pose: Pose, stop: Stop
 ) -> Iterator[KnownShape]:

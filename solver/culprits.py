@@ -26,7 +26,7 @@ from .diagnosis import (
     find_clash,
     without,
 )
-from .effort import Effort
+from .effort import GUESSING, Effort
 from .graph import SketchGraph
 from .leaning import as_leaning, leaning_reading
 from .lifting import Lifted, lift
@@ -50,7 +50,9 @@ def lift_or_blame(
     core: SketchGraph, structure: Structure, effort: Effort
 ) -> tuple[Lifted | None, Blame | None]:
     """The shape, or where an annotation contradicts the drawing grossly the shape without it."""
-    lifted = lift_as_guessed(core, structure, effort) or lift(core, structure, effort, wary=True)
+    with effort.at_most(GUESSING):
+        lifted = lift_as_guessed(core, structure, effort)
+    lifted = lifted or lift(core, structure, effort, wary=True)
     if lifted is None or effort.stopped:
         return lifted, None
     relieved, leaning = _at_first_sight(core, lifted, effort), None
@@ -75,6 +77,7 @@ def lift_or_blame(
     if other is not None and not other.doubtful:
         return other, blamed
     # What was found at first sight only is finished.
+    effort.allow_a_last_descent()
     lifted = lift(core, structure, effort) if lifted.doubtful else lifted
     if lifted is not None and not is_settled(lifted):
         effort.doing("beginning from other shapes")

@@ -5,6 +5,8 @@ A unit is about a millisecond on a usual machine. The same count tells how far a
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import partial
 
 from .values import Progress, Stop
@@ -20,6 +22,8 @@ LIGHT, BY_UNKNOWN = 0.3, 1e-4
 #: To ask whether annotations agree costs a little by itself, and more with what was drawn and said.
 QUESTION, BY_ELEMENT = 1.0, 0.007
 MAX_ASKING = 1000.0
+#: What guesses may take, and a last descent, however much was done before.
+GUESSING, LAST_EFFORT = 800.0, 300.0
 #: After so much work a solve is said to be halfway; few need more.
 HALFWAY = 100.0
 #: Progress is told after so much more work.
@@ -39,7 +43,7 @@ class Effort:
 
     def __init__(self, stop: Stop | None, tell: Progress | None = None) -> None:
         self._stop, self._tell = stop, tell
-        self._done = 0.0
+        self._done, self._most = 0.0, MAX_EFFORT
         self._each = ITERATION
         self._what, self._told, self._told_at = "", 0.0, 0.0
         #: Whether somebody stopped it.
@@ -49,6 +53,19 @@ class Effort:
         """From now on iterations are over so many unknowns and conditions."""
         restoring = RESTORING if conditions else 0.0
         self._each = ITERATION + BY_SIZE * (unknowns + conditions) ** 2 + restoring
+
+    @contextmanager
+    def at_most(self, work: float) -> Iterator[None]:
+        """Within, an end comes after so much more work: the rest is for what follows."""
+        most, self._most = self._most, min(self._most, self._done + work)
+        try:
+            yield
+        finally:
+            self._most = most
+
+    def allow_a_last_descent(self) -> None:
+        """Where all was spent on looking around, what was found is finished all the same."""
+        self._most = max(self._most, self._done + LAST_EFFORT)
 
     def doing(self, what: str, least: float = 0.0) -> None:
         """Say what is being done now, and how far the solve is at least."""
@@ -66,7 +83,7 @@ class Effort:
             # The beginning and the end are told by themselves.
             self._say(max(self._told, 0.1 + 0.8 * self._done / (self._done + HALFWAY)))
         self.stopped = self.stopped or (self._stop is not None and self._stop())
-        return self.stopped or self._done > MAX_EFFORT
+        return self.stopped or self._done > self._most
 
     def _say(self, done: float) -> None:
         self._told, self._told_at = done, self._done

@@ -110,8 +110,9 @@ def test_a_spreadsheet_drives_an_angle_and_the_plates_follow(gable, document):
     holds(model, name, 135.0)
     assert plates.Status == "made", plates.Message
     assert plates.Shape.Volume != pytest.approx(volume, rel=1e-4)
-    for wanted in (118, 90, 121.5):
-        sheet.set("A1", f"{wanted} deg")
+    # A bare number means degrees.
+    for wanted, unit in ((118, " deg"), (90, " deg"), (121.5, ""), (2.1 * 180 / math.pi, "")):
+        sheet.set("A1", f"={wanted!r}{unit}")
         document.recompute()
         holds(model, name, wanted)
     assert (sketch.Sketch, model.SaidAngles) == (text, "")

@@ -16,6 +16,9 @@ no `__file__`, names unseen inside methods     test_startup: start loads nothing
 `exec` and `exec_`                             test_window_export, on FreeCAD 1.1
 0.20: a tab outlives its document              test_window_tab: closes with its document
 Delete and V reach FreeCAD's own shortcuts     test_window_tab: delete does not reach
+a shortcut begun elsewhere goes on in a tab    test_window_shortcuts
+`GetResources` is asked once: another language test_window_languages: follow the language
+`<depend>` installs what, in which Python      test_window_installing: real pip
 `PropertyFileIncluded` changes its path        test_reopening, test_lasting
 undo of a text property                        test_objects: undo; UndoMode 0 in the console: here
 a spreadsheet's alias `H1`, a sheet called S   here

@@ -10,6 +10,7 @@ from incontext.workbench import host
 from incontext.workbench.features import pipeline
 from incontext.workbench.features.lifted_model import make_lifted_model, solution_of
 from incontext.workbench.features.methods import OURS, SLOW, parts_of, source_of
+from incontext.workbench.features.model_angles import text_of
 from incontext.workbench.features.photo_sketch import make_photo_sketch
 
 
@@ -36,10 +37,11 @@ def nobody_waits():
 
 
 def test_a_source_comes_apart_again():
+    text, angles = '{"format": 1,\n"a": 2}', text_of({("e1", "e\n2"): 60.0})
     for method in (OURS, *SLOW):
-        name, text = parts_of(source_of('{"format": 1,\n"a": 2}', method))
-        assert text == '{"format": 1,\n"a": 2}'
-        assert name == SLOW.get(method)
+        for said in ("", angles):
+            parts = parts_of(source_of(text, method, said))
+            assert (parts.method, parts.angles, parts.sketch) == (SLOW.get(method), said, text)
 
 
 def test_the_solver_s_own_method_comes_first(model):

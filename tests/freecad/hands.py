@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import subprocess
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from itertools import pairwise
 
 import FreeCADGui
@@ -41,7 +42,16 @@ def wait_until(is_so: Callable[[], bool], seconds: float = 20.0) -> None:
 
 
 class Hands:
-    """Points, drags and presses keys."""
+    """Points, drags and presses keys.
+
+    Parameters
+    ----------
+    pause : float
+        How long it waits after each, s.
+    """
+
+    def __init__(self, pause: float = 0.15) -> None:
+        self.pause = pause
 
     def move(self, point) -> None:
         """Move the pointer to a position on the screen, in Qt's px."""
@@ -66,6 +76,19 @@ class Hands:
         """Press and let go the right button, where the pointer is."""
         self._do("click", "3")
 
+    def wheel_up(self) -> None:
+        """Turn the wheel by a notch, where the pointer is."""
+        self._do("click", "4")
+
+    @contextmanager
+    def holding(self, key: str) -> Iterator[None]:
+        """Hold a key down meanwhile."""
+        self._do("keydown", key)
+        try:
+            yield
+        finally:
+            self._do("keyup", key)
+
     def double_click(self, point) -> None:
         """Press and let go twice at a position."""
         self.move(point)
@@ -81,7 +104,7 @@ class Hands:
 
     def _do(self, *arguments: str) -> None:
         subprocess.run(["xdotool", *arguments], check=True)
-        pump(0.15)
+        pump(self.pause)
 
 
 class Person:
@@ -110,6 +133,12 @@ class Person:
         """Click in the middle of some places."""
         self.gestures += 1
         self.hands.click(self.at(*names))
+
+    def click_freely(self, *names):
+        """Click in the middle of some places with Ctrl held, so that nothing attracts it."""
+        self.gestures += 1
+        with self.hands.holding("ctrl"):
+            self.click(*names)
 
     def click_at(self, u, v):
         """Click at a photo position."""

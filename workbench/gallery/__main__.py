@@ -25,8 +25,9 @@ prints what was measured. The photos are rendered (`resources/scenes`): so the t
 NOTES = """Time is the processor's, from nothing. Gestures: a drag for each line and circle, a click
 for each face whose angles are right, and so on. In brackets what it took with real mouse and keys,
 from an empty sketch, each typed letter counted (a lid like this one on a table; the organizer
-without the notes, its own width given instead; the saucer with the clicks on its marker); the
-others were not replayed. *Measured, true*: existing things, by the sketch.
+without the notes, its own width given instead; the saucer with the clicks on its marker; the
+cover with those on its sheet of A5, and the wheel); the desk tidy was not replayed. *Measured,
+true*: existing things, by the sketch.
 """
 
 

@@ -108,7 +108,7 @@ FILE_REASONS = (
     "lengths of its edges, or diameters",
     "the model's angles are no JSON",
     "the papers' methods know no angle between {0} and {1} but a right one",
-    "free that angle, or take {}",
+    "the method {}, or freeing that angle",
     "say them anew",
     "nothing on the ground is known to be right below {}",
     "draw an upright edge from the ground to there",

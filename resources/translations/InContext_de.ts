@@ -156,8 +156,8 @@
         <translation>zwischen {} und {} Grad: Kanten bei 0 oder 180 Grad liegen auf einer Linie</translation>
     </message>
     <message>
-        <source>free that angle, or take {}</source>
-        <translation>diesen Winkel freigeben oder {} wählen</translation>
+        <source>the method {}, or freeing that angle</source>
+        <translation>die Methode {} oder diesen Winkel freigeben</translation>
     </message>
     <message>
         <source>lengths of its edges, or diameters</source>

@@ -156,8 +156,8 @@
         <translation>{} から {} 度の間：0 度や 180 度のエッジは一直線に重なります</translation>
     </message>
     <message>
-        <source>free that angle, or take {}</source>
-        <translation>その角度を解除するか、{} を選んでください</translation>
+        <source>the method {}, or freeing that angle</source>
+        <translation>方法を {} にするか、その角度を解除してください</translation>
     </message>
     <message>
         <source>lengths of its edges, or diameters</source>

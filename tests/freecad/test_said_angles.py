@@ -291,3 +291,33 @@ def test_only_edges_that_meet_have_a_corner(gable):
         assert set(graph.edges[corner.ids[0]]) & set(graph.edges[corner.ids[1]])
     assert len(corners) > 10
     assert corner_at(model, elements[:1]) is None
+
+
+def test_a_chamfer_on_a_plate_survives_other_angles(gable, document):
+    _, model = gable
+    plates = make_plate_set(document, model)
+    document.recompute()
+    edge = next(k for k, e in enumerate(plates.Shape.Edges, 1) if abs(e.Length - 3) < 1e-6)
+    chamfer = document.addObject("Part::Chamfer", "Chamfer")
+    chamfer.Base = plates
+    chamfer.Edges = [(edge, 0.5, 0.5)]
+    document.recompute()
+    assert chamfer.isValid()
+    plate = plate_with(plates.Shape, edge)
+    name = slanted(model)[0]
+    for wanted in (132, 119, 104):
+        setattr(model, name, wanted)
+        document.recompute()
+        assert (model.Status, plates.Status) == ("converged", "made"), plates.Message
+        assert chamfer.isValid()
+        now = chamfer.Edges[0][0]
+        assert plate_with(plates.Shape, now) == plate
+        removed = plates.Shape.Volume - chamfer.Shape.Volume
+        assert removed == pytest.approx(0.5 * 0.5 / 2 * 3, rel=1e-6)
+
+
+def plate_with(shape, number):
+    """Which plate has an edge."""
+    edge = shape.Edges[number - 1]
+    holds = [any(e.isSame(edge) for e in solid.Edges) for solid in shape.Solids]
+    return holds.index(True)

@@ -116,7 +116,7 @@ def lift_slowly(
         raise SketchError(
             f"the papers' methods know no angle between {first[0]} and {first[1]} but a right one",
             first,
-            f"free that angle, or take {OURS}",
+            f"the method {OURS}, or freeing that angle",
         )
     title = next(words for words, method in SLOW.items() if method == name)
     words = host.translate("InContext", "Lifting by the method {} ...").format(title)

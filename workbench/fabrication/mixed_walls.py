@@ -16,7 +16,7 @@ core
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import manifold3d
@@ -37,8 +37,22 @@ _SAME = 1e-6
 _ONE_POINT_MM = 1e-6
 _LEAST_MM3 = 1e-6
 
+#: The kernel takes what is so nearly flat for flat.
+_FLAT_MM = 1e-6
 #: Outer ring and holes, (n, 3) each.
 Rings = Sequence[Array]
+
+
+class NoWallAroundError(FabricationError):
+    """A vertex around which no wall can be made; its ids are faces there."""
+
+    def __init__(self, vertex: str, faces: Iterable[str], wall_mm: float) -> None:
+        super().__init__(
+            f"no wall of {wall_mm:g} mm can be made around {vertex}, where edges look outwards and "
+            "inwards",
+            faces,
+            "a solid print, no face left out, or plates",
+        )
 
 
 def mixed_wall(
@@ -69,6 +83,8 @@ def mixed_wall(
     ------
     FabricationError
         Where the slabs bound no solid: the wall is too thick for the shape.
+    NoWallAroundError
+        Where a side of a slab is not flat: its moved edge goes another way than the drawn one.
     """
     sense = 1.0 if move_mm > 0 else -1.0
     inwards = {id_: -sense * normal for id_, normal in outwards.items()}
@@ -105,11 +121,20 @@ def _slabs(
             for n, v in enumerate(loop):
                 here, there = body.vertices_mm[v], body.vertices_mm[loop[(n + 1) % len(loop)]]
                 chain, after = chains[n], chains[(n + 1) % len(loop)]
-                polygons.append([np.array([here, there, after[0], chain[-1]])])
+                side = np.array([here, there, after[0], chain[-1]])
+                if not _is_flat(side):
+                    raise NoWallAroundError(v, (id_,), moves[id_])
+                polygons.append([side])
                 polygons += [
                     [np.array([here, chain[k + 1], chain[k]])] for k in range(len(chain) - 1)
                 ]
         yield polygons
+
+
+def _is_flat(side: Array) -> bool:
+    normal = np.cross(side[2] - side[0], side[3] - side[1])
+    across = abs(float((side[1] - side[0]) @ normal)) / max(float(np.linalg.norm(normal)), 1e-12)
+    return across < _FLAT_MM
 
 
 def _open_vertices(

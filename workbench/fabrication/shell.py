@@ -20,7 +20,7 @@ import numpy as np
 from ...solver.model import Model
 from ...solver.values import Array
 from .errors import FabricationError
-from .mixed_walls import mixed_wall
+from .mixed_walls import NoWallAroundError, mixed_wall
 from .offsetting import mixed_vertices
 from .polyhedra import Loop, Polyhedron, area_vector, polyhedron_of
 from .settings import ShellSettings
@@ -67,8 +67,8 @@ def shell_solid(model: Model, settings: ShellSettings = _DEFAULTS) -> cq.Shape:
     outwards = _outwards(body)
     mixed = _mixed(body, outwards, mouths)
     beside = {v: faces for v, faces in mixed.items() if {*faces} & {*mouths}}
-    if beside:
-        raise _no_wall_around(beside, wall)
+    for vertex, faces in beside.items():
+        raise NoWallAroundError(vertex, faces, wall)
     moves = {"inside": [-wall], "outside": [wall], "middle": [-wall / 2, wall / 2]}[settings.side]
     try:
         # Of itself the kernel fails at mixed vertices.
@@ -78,6 +78,8 @@ def shell_solid(model: Model, settings: ShellSettings = _DEFAULTS) -> cq.Shape:
             else _hollow(block, body, mouths, move)
             for move in moves
         ]
+    except NoWallAroundError:
+        raise
     except FabricationError as error:
         raise _too_thick(body, wall) from error
     slabs = [_partition(body, loops, wall) for loops in body.partitions.values()]
@@ -103,16 +105,6 @@ def _mixed(
     inwards = {id_: -normal for id_, normal in outwards.items()}
     moves = {id_: 0.0 if id_ in mouths else 1.0 for id_ in body.skin}
     return mixed_vertices(body.vertices_mm, body.skin, inwards, moves)
-
-
-def _no_wall_around(mixed: Mapping[str, Sequence[str]], wall: float) -> FabricationError:
-    vertex, faces = next(iter(mixed.items()))
-    return FabricationError(
-        f"no wall of {wall:g} mm can be made around {vertex}, where edges look outwards and "
-        "inwards",
-        faces,
-        "a solid print, no face left out, or plates",
-    )
 
 
 def _too_thick(body: Polyhedron, wall: float) -> FabricationError:

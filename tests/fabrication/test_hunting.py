@@ -3,9 +3,14 @@
 from dataclasses import replace
 
 import pytest
-from hunting import FAMILIES, broken, case, outcome
+from hunting import FAMILIES, broken, case, outcome, print_case
 
-from incontext.workbench.fabrication import joined_plates, outlines
+from incontext.workbench.fabrication import (
+    FabricationError,
+    joined_plates,
+    outlines,
+    shell_solid,
+)
 
 #: Those that take long are left to the hunt.
 QUICK = [family for family in FAMILIES if family != "polycube"]
@@ -20,12 +25,30 @@ def test_plates_of_random_shapes(family):
 
 @pytest.mark.parametrize(
     ("family", "seed"),
-    [("section", 3), ("convex", 3), ("halfspaces", 3), ("house", 3), ("halved", 0), ("spire", 3)],
+    [
+        ("section", 3),
+        ("convex", 3),
+        ("halfspaces", 3),
+        ("house", 3),
+        ("halved", 0),
+        ("spire", 3),
+        ("pencil", 6101),
+        ("pencil", 6104),
+        ("pencil", 6105),
+        ("halved", 6102),
+        ("convex", 6105),
+    ],
 )
 def test_prints_of_random_shapes(family, seed):
     end, laws = outcome(family, seed, printed=True)
     assert laws == []
     assert end == "printed"
+
+
+def test_a_vertex_around_which_no_wall_can_be_made_is_named():
+    with pytest.raises(FabricationError, match="can be made around v9, where edges look") as caught:
+        shell_solid(*print_case("polycube", 6118))
+    assert caught.value.ids == ("f2",)
 
 
 @pytest.mark.parametrize(

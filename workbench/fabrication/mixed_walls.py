@@ -90,10 +90,10 @@ def mixed_wall(
     inwards = {id_: -sense * normal for id_, normal in outwards.items()}
     moves = {id_: 0.0 if id_ in mouths else abs(move_mm) for id_ in body.skin}
     moved = moved_corners(body.vertices_mm, body.skin, inwards, moves)
-    parts: list[cq.Shape] = [_solid(polygons) for polygons in _slabs(body, moved, moves)]
+    parts: list[cq.Shape] = [solid_of(polygons) for polygons in _slabs(body, moved, moves)]
     for v, corners in _open_vertices(body, moved, moves).items():
         parts += _core(v, corners, body, {f: -inwards[f] * moves[f] for f in moves if moves[f]})
-    whole, every = _mesh(block), [_mesh(part) for part in parts]
+    whole, every = solid_mesh(block), [solid_mesh(part) for part in parts]
     wanted = manifold3d.Manifold.batch_boolean(every, manifold3d.OpType.Add)
     wall = parts[0].fuse(*parts[1:])
     wall = wall.cut(block) if move_mm > 0 else wall.intersect(block)
@@ -165,7 +165,7 @@ def _core(
     except QhullError:  # they lie in one plane: the hull holds nothing
         hull = None
     if hull is not None and hull.volume > _LEAST_MM3:
-        yield _solid([[points[triangle]] for triangle in hull.simplices])
+        yield solid_of([[points[triangle]] for triangle in hull.simplices])
     reach = float(np.linalg.norm(corners - at, axis=1).max())
     near = cq.Solid.makeBox(2 * reach, 2 * reach, 2 * reach, cq.Vector(*(at - reach).tolist()))
     beside: dict[str, list[tuple[Array, Array]]] = {}
@@ -202,7 +202,7 @@ def _wire(ring: Array) -> cq.Wire:
     return cq.Wire.makePolygon([cq.Vector(*p) for p in ring.tolist()], close=True)
 
 
-def _solid(polygons: Sequence[Rings]) -> cq.Solid:
+def solid_of(polygons: Sequence[Rings]) -> cq.Solid:
     """The solid that polygons bound, each an outer ring and holes."""
     import cadquery as cq
 
@@ -212,7 +212,8 @@ def _solid(polygons: Sequence[Rings]) -> cq.Solid:
     return cq.Solid(solid.wrapped.Reversed()) if solid.Volume() < 0 else cq.Solid(solid.wrapped)
 
 
-def _mesh(solid: cq.Shape) -> manifold3d.Manifold:
+def solid_mesh(solid: cq.Shape) -> manifold3d.Manifold:
+    """A solid of flat faces as a mesh for booleans."""
     raw, faces = solid.tessellate(0.1, 0.1)
     mesh = welded([v.toTuple() for v in raw], faces)
     return manifold3d.Manifold(

@@ -19,6 +19,7 @@ import numpy as np
 
 from ...solver.model import Model
 from ...solver.values import Array
+from .convex_walls import convex_wall, is_convex
 from .errors import FabricationError
 from .mixed_walls import NoWallAroundError, mixed_wall
 from .offsetting import mixed_vertices
@@ -32,6 +33,8 @@ if TYPE_CHECKING:
 
 _DEFAULTS = ShellSettings()
 _EPS = 1e-6
+#: So many walls thick, a shape is not too thin for them.
+_ROOMY = 8.0
 _NEAR_MM = 1e-4
 
 
@@ -75,7 +78,7 @@ def shell_solid(model: Model, settings: ShellSettings = _DEFAULTS) -> cq.Shape:
         parts = [
             mixed_wall(block, body, outwards, mouths, move)
             if mixed
-            else _hollow(block, body, mouths, move)
+            else _hollow_or_built(block, body, outwards, mouths, move)
             for move in moves
         ]
     except NoWallAroundError:
@@ -123,6 +126,10 @@ def _too_thick(body: Polyhedron, wall: float) -> FabricationError:
         }
         opposite[id_] = [f for f, other in body.skin.items() if far >= set(other[0])]
     least = min(heights, key=lambda id_: heights[id_])
+    if heights[least] > _ROOMY * wall:
+        return FabricationError(
+            f"no wall of {wall:g} mm can be made", (), "a thinner wall, or the other side"
+        )
     return FabricationError(
         f"the wall of {wall:g} mm is too thick: the shape measures {heights[least]:.4g} mm here",
         (least, *opposite[least][:1]),
@@ -156,6 +163,28 @@ def _block(body: Polyhedron) -> cq.Solid:
             "the faces enclose no solid", body.skin, "faces that meet in their edges only"
         )
     return block
+
+
+def _hollow_or_built(
+    block: cq.Solid,
+    body: Polyhedron,
+    outwards: Mapping[str, Array],
+    mouths: Sequence[str],
+    move: float,
+) -> cq.Shape:
+    """The kernel's walls; where it makes none, ours."""
+    from OCP.Standard import Standard_Failure
+    from OCP.StdFail import StdFail_NotDone
+
+    try:
+        return _hollow(block, body, mouths, move)
+    except FabricationError as error:
+        try:
+            if is_convex(body, outwards):
+                return convex_wall(block, body, outwards, mouths, move)
+            return mixed_wall(block, body, outwards, mouths, move)
+        except (Standard_Failure, StdFail_NotDone, TypeError, ValueError):
+            raise error from None
 
 
 def _hollow(block: cq.Solid, body: Polyhedron, mouths: Sequence[str], move: float) -> cq.Shape:

@@ -264,7 +264,8 @@ def test_a_box_stands_and_tips_at_the_angle_of_its_corner():
     assert check.standing.stands
     assert check.standing.margin_mm == pytest.approx(20.0)
     assert check.standing.tipping_deg == pytest.approx(math.degrees(math.atan2(20, 50)))
-    assert check.standing.way in ("front", "back")
+    # The back is as near: the first of the ways, not what rounding has.
+    assert check.standing.way == "front"
     assert check.lines[0].startswith("nothing to fit to")
 
 

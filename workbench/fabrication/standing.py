@@ -17,6 +17,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 import shapely
@@ -27,6 +28,8 @@ from .parts_in_space import Part, centroid, corners
 
 #: What lies so little above the lowest point touches the ground too, mm.
 FOOT_MM = 0.1
+#: Borders whose distances differ by less are equally near, mm.
+ALIKE_MM = 1e-3
 #: What tips over at less is easily knocked over, degrees.
 WOBBLY_DEG = 10.0
 
@@ -109,9 +112,19 @@ def standing_of(parts: Sequence[Part], ways: Mapping[str, Array]) -> Standing:
         return Standing(centre, ground, out, -float(area.distance(spot)), _way(near, ways))
     area = shapely.geometry.polygon.orient(area)
     margin = float(area.exterior.distance(spot)) * (1 if area.covers(spot) else -1)
-    border = np.array(shapely.shortest_line(spot, area.exterior).coords)
-    outwards = border if margin > 0 else border[::-1]
-    return Standing(centre, ground, _ends(area), margin, _way(outwards, ways))
+    return Standing(centre, ground, _ends(area), margin, _tips(spot, area, ways, inside=margin > 0))
+
+
+def _tips(spot: Point, area: Polygon, ways: Mapping[str, Array], *, inside: bool) -> str:
+    """The way over the nearest border; of two equally near ones, the first of the ways."""
+    sides = [shapely.LineString(ends) for ends in pairwise(area.exterior.coords)]
+    least = min(float(side.distance(spot)) for side in sides)
+    named = set()
+    for side in sides:
+        if float(side.distance(spot)) < least + ALIKE_MM:
+            border = np.array(shapely.shortest_line(spot, side).coords)
+            named.add(_way(border if inside else border[::-1], ways))
+    return next(name for name in ways if name in named)
 
 
 def _ends(area: shapely.Geometry) -> Array:

@@ -94,7 +94,11 @@ REASONS = (
     "the joint's {} is {} mm",
     "cannot write {}: {}",
     "a number from {} to {} {}",
+    "the {} is {}, no number",
+    "the {} is {}, not {} numbers",
     "the {} is {} {}",
+    "a joint is no JointChoice",
+    "{} numbers",
     "owner {} or {}",
     "owner {}",
     "the face has edges too short for material outside of it or in its middle: moved there, its "

@@ -2098,6 +2098,22 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>{}: {} {}</translation>
     </message>
     <message>
+        <source>the {} is {}, no number</source>
+        <translation>{}: {} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>the {} is {}, not {} numbers</source>
+        <translation>{}: {} sind nicht {} Zahlen</translation>
+    </message>
+    <message>
+        <source>a joint is no JointChoice</source>
+        <translation>eine Verbindung ist keine JointChoice</translation>
+    </message>
+    <message>
+        <source>{} numbers</source>
+        <translation>{} Zahlen</translation>
+    </message>
+    <message>
         <source>there is no joint {}</source>
         <translation>es gibt keine Verbindung {}</translation>
     </message>

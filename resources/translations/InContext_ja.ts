@@ -2098,6 +2098,22 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>{} が {} {} です</translation>
     </message>
     <message>
+        <source>the {} is {}, no number</source>
+        <translation>{}: {} は数ではありません</translation>
+    </message>
+    <message>
+        <source>the {} is {}, not {} numbers</source>
+        <translation>{}: {} は {} 個の数ではありません</translation>
+    </message>
+    <message>
+        <source>a joint is no JointChoice</source>
+        <translation>継手が JointChoice ではありません</translation>
+    </message>
+    <message>
+        <source>{} numbers</source>
+        <translation>{} 個の数</translation>
+    </message>
+    <message>
         <source>there is no joint {}</source>
         <translation>継手 {} はありません</translation>
     </message>

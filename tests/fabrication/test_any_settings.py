@@ -161,6 +161,20 @@ def test_typical_mistakes(said, ids, words):
     assert ids is None or caught.value.ids == ids
 
 
+@pytest.mark.parametrize("value", ["abc", "", None, True, [], (1, 2)])
+@pytest.mark.parametrize("name", ["thickness_mm", "kerf_mm", "spacing_mm", "tool_mm"])
+def test_what_is_no_number_is_refused_by_name(name, value):
+    with pytest.raises(SettingsError, match="no number; try: a number from") as caught:
+        PlateSettings(**{name: value})
+    assert name.split("_")[0] in str(caught.value)
+
+
+@pytest.mark.parametrize("value", [5.0, (), (600.0,), (600.0, "x"), "600x400", (1, 2, 3)])
+def test_a_sheet_has_two_sizes(value):
+    with pytest.raises(SettingsError, match="the sheet size is"):
+        PlateSettings(sheet_mm=value)
+
+
 SHELLS = st.fixed_dictionaries(
     {},
     optional={

@@ -24,9 +24,10 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from numbers import Real
 
 from .errors import SettingsError
-from .joints import JointChoice
+from .joints import HOW_TO_SAY, JointChoice
 
 SIDES = ("inside", "outside", "middle")
 RELIEFS = ("none", "dogbone", "tbone")
@@ -106,8 +107,13 @@ class PlateSettings:
         check_number("kerf", self.kerf_mm, 0.0, 5.0)
         check_number("margin", self.margin_mm, 0.0, 500.0)
         check_number("spacing", self.spacing_mm, 0.0, 500.0)
-        for size in self.sheet_mm or ():
-            check_number("sheet size", size, 10.0, 100000.0)
+        _check_sizes("sheet size", self.sheet_mm, 2, 10.0)
+        joints: object = self.joints
+        known = isinstance(joints, tuple | list) and all(
+            isinstance(joint, JointChoice) for joint in joints
+        )
+        if not known:
+            raise SettingsError("a joint is no JointChoice", (), HOW_TO_SAY)
 
     @property
     def beam_mm(self) -> float:
@@ -195,8 +201,7 @@ class ShellSettings:
         check_number("wall", self.wall_mm, 0.05, 200.0)
         check_number("least wall", self.least_wall_mm, 0.0, 200.0)
         check_number("tolerance", self.tolerance_mm, 0.001, 5.0)
-        for size in self.bed_mm or ():
-            check_number("size of the bed", size, 1.0, 100000.0)
+        _check_sizes("size of the bed", self.bed_mm, 3, 1.0)
         if self.wall_mm < self.least_wall_mm and not self.solid:
             raise SettingsError(
                 f"the wall of {self.wall_mm:g} mm is thinner than the least wall of "
@@ -226,14 +231,24 @@ def bed_note(size_mm: tuple[float, float, float], bed_mm: tuple[float, float, fl
     return f"the print is {size} mm, larger than the printer's {room} mm; try: {remedy}"
 
 
-def check_number(name: str, value: float, least: float, most: float, unit: str = "mm") -> None:
-    """Refuse a number that is not finite or out of range, by its name."""
-    if not (math.isfinite(value) and least <= value <= most):
-        raise SettingsError(
-            f"the {name} is {value:g} {unit}".rstrip(),
-            (),
-            f"a number from {least:g} to {most:g} {unit}".rstrip(),
-        )
+def check_number(name: str, value: object, least: float, most: float, unit: str = "mm") -> None:
+    """Refuse what is no number, not finite or out of range, by its name."""
+    remedy = f"a number from {least:g} to {most:g} {unit}".rstrip()
+    if not isinstance(value, Real) or isinstance(value, bool):
+        raise SettingsError(f"the {name} is {value!r}, no number", (), remedy)
+    number = float(value)
+    if not (math.isfinite(number) and least <= number <= most):
+        raise SettingsError(f"the {name} is {number:g} {unit}".rstrip(), (), remedy)
+
+
+def _check_sizes(name: str, sizes: object, count: int, least: float) -> None:
+    """Refuse what is not so many numbers."""
+    if sizes is None:
+        return
+    if not isinstance(sizes, tuple | list) or len(sizes) != count:
+        raise SettingsError(f"the {name} is {sizes!r}, not {count} numbers", (), f"{count} numbers")
+    for size in sizes:
+        check_number(name, size, least, 100000.0)
 
 
 def check_side(side: str) -> None:

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 import shapely
 from PIL import Image
-from scenes import box, photograph, wedge
+from scenes import box, loose_house, photograph, wedge
 
 from incontext.solver import save_sketch
 from incontext.solver.graph import Photo
@@ -281,3 +281,13 @@ def test_help_does_not_wait_for_libraries():
 def test_as_a_module(sketch):
     command = [sys.executable, "-m", "incontext.workbench", "check", str(sketch)]
     assert subprocess.run(command, check=False, timeout=60).returncode == 0
+
+
+def test_a_loop_that_is_not_flat_is_named_where_a_print_lacks_its_face(tmp_path, capsys):
+    sketch, out = tmp_path / "house.sketch.json", tmp_path / "out"
+    save_sketch(loose_house(0.004, slope_told=True), sketch)
+    status, _, complaints = run(capsys, "make", sketch, "--out", out, "--print")
+    assert (status, files_in(out) if out.exists() else set()) == (2, set())
+    (line,) = complaints
+    assert "the faces do not close" in line
+    assert "the loop v0 v1 v2 v3 v4 is 0.14 mm from flat, and so no face" in line

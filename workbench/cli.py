@@ -11,12 +11,14 @@ import argparse
 import sys
 from collections.abc import Callable, Sequence
 from functools import partial
+from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
 if TYPE_CHECKING:
     from ..solver.graph import SketchGraph
     from ..solver.solution import Solution
+    from .fabrication.errors import FabricationError
 
 # Nothing else is imported before it is needed: --help must not wait for a CAD kernel.
 
@@ -331,6 +333,23 @@ def _verdict(graph: SketchGraph, solution: Solution) -> int:
     return OK
 
 
+def _with_wanting_face(
+    error: FabricationError, graph: SketchGraph, solution: Solution
+) -> FabricationError:
+    """The same error, with the nearly flat loop along the edges that it names, if there is one."""
+    from ..solver.editing.nearly_flat import nearly_flat
+    from .fabrication.errors import FabricationError
+
+    named = {frozenset(solution.edges[id_]) for id_ in error.ids if id_ in solution.edges}
+    for near in nearly_flat(graph, solution):
+        if named & {frozenset(pair) for pair in pairwise((*near.loop, near.loop[0]))}:
+            loop = " ".join(near.loop)
+            flat = f"the loop {loop} is {near.off_mm:.2g} mm from flat, and so no face"
+            remedy = f"right angles or parallels there, or take it for a face; {error.remedy}"
+            return FabricationError(f"{error.what}; {flat}", error.ids, remedy)
+    return error
+
+
 def _make(arguments: argparse.Namespace) -> int:
     from ..solver import solve
     from ..solver.files import write_files
@@ -348,9 +367,13 @@ def _make(arguments: argparse.Namespace) -> int:
     contents = {f"{stem}.solution.json": _solution_text(solution)}
     details: tuple[str, ...] = ()
     if solution.status is Status.CONVERGED:
+        from .fabrication.errors import FabricationError
         from .making import made
 
-        product = made(graph, solution, photo, order)
+        try:
+            product = made(graph, solution, photo, order)
+        except FabricationError as error:
+            raise _with_wanting_face(error, graph, solution) from error
         contents |= product.files
         for note in product.notes:
             _complain(f"note: {note}")

@@ -87,8 +87,8 @@ def test_four_clicks_and_a_size_give_the_camera(person, document, corners):
     assert pipeline.graph_of(sketch.Sketch).camera is not None
 
     # A corner that is dragged is put right again.
-    place = person.at_px(*found[0])
-    person.drag(place, place + QtCore.QPoint(5, 4))
+    u, v = found[0]
+    person.drag(person.at_px(u, v), person.at_px(u + 5, v + 4))
     wait_until(lambda: 0 < np.abs(rectangle_of(sketch.Marker)[0] - np.array(found)).max() < 0.3)
     person.press("Delete")
     wait_until(lambda: pipeline.graph_of(sketch.Sketch).camera is None)

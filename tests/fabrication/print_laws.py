@@ -11,6 +11,7 @@ from fabrication.bodies import drawn_body
 
 from incontext.solver.model import Model, ModelFace
 from incontext.workbench.fabrication import ShellSettings, shell_solid
+from incontext.workbench.fabrication.enclosed import enclosed, plane_axes
 from incontext.workbench.fabrication.frame import newell
 from incontext.workbench.fabrication.meshes import mesh_of
 from incontext.workbench.fabrication.sides import face_sides
@@ -30,6 +31,7 @@ def broken_print(model: Model, settings: ShellSettings) -> Iterator[str]:
     if len(body_.decompose()) != 1 and not any(f.included for f in model.faces.values()):
         yield "the print is in pieces"
     yield from _of_thickness(model, settings, mesh.vertices_mm, 1e-5 * size)
+    yield from _of_partitions(model, settings, body_)
     drawn = drawn_body(model)
     if drawn is None or settings.side == "middle":
         return
@@ -50,18 +52,42 @@ def _of_thickness(
     sides = face_sides(loops, list(loops))
     on, gaps = np.full(len(corners), np.inf), np.full(len(corners), np.inf)
     for id_, face in model.faces.items():
-        if sides[id_] == 0:  # a partition's walls reach half as far
-            continue
         gap = _distances(face, corners)
-        # The rim of an opening lies in its plane, beside it too.
         normal = newell(face.loop_mm) / np.linalg.norm(newell(face.loop_mm))
-        off = gap if face.included else np.abs((corners - face.loop_mm[0]) @ normal)
+        off = np.abs((corners - face.loop_mm[0]) @ normal)
+        if sides[id_] == 0:  # a partition's own corners: `_of_partitions` holds them to its slab
+            own = (np.abs(off - settings.wall_mm / 2) < near) & (gap < 2 * settings.wall_mm)
+            on = np.where(own, 0.0, on)
+            continue
+        # The rim of an opening lies in its plane, beside it too.
+        off = gap if face.included else off
         on = np.minimum(on, off)
         gaps = np.minimum(gaps, gap) if face.included else gaps
     least = settings.wall_mm / (2 if settings.side == "middle" else 1)
     thin = (gaps < least - near) & (on > near)
     if thin.any():
         yield f"a wall is {gaps[thin].min():.4g} mm thick instead of {least:.4g}"
+
+
+def _of_partitions(model: Model, settings: ShellSettings, print_: m3.Manifold) -> Iterator[str]:
+    """Half a wall on both sides of each partition is filled, within the drawn faces."""
+    loops = {id_: (f.loop_mm, *f.holes_mm) for id_, f in model.faces.items()}
+    sides = face_sides(loops, list(loops))
+    skin = {id_: (f.loop, *f.holes) for id_, f in model.faces.items() if sides[id_]}
+    drawn = enclosed(skin, model.vertices_mm, sides)
+    if drawn is None:
+        return
+    for id_, face in model.faces.items():
+        if sides[id_] or not face.included:
+            continue
+        axes = plane_axes(face.loop_mm)
+        rings = [((ring - face.loop_mm[0]) @ axes[:2].T) for ring in loops[id_]]
+        flat = m3.CrossSection(rings, m3.FillRule.EvenOdd)
+        slab = flat.extrude(settings.wall_mm).translate([0.0, 0.0, -settings.wall_mm / 2])
+        slab = slab.transform(np.column_stack([axes.T, face.loop_mm[0]]))
+        lacks = ((slab ^ drawn) - print_).volume()
+        if lacks > 1e-4 * slab.volume():
+            yield f"{id_} lacks {lacks:.3g} mm3 of its {slab.volume():.6g} mm3"
 
 
 def _distances(face: ModelFace, points: np.ndarray) -> np.ndarray:

@@ -37,6 +37,10 @@ def test_plates_of_random_shapes(family):
         ("pencil", 6105),
         ("halved", 6102),
         ("convex", 6105),
+        ("convex", 12007),
+        ("polycube", 12003),
+        ("polycube", 12004),
+        ("polycube", 12006),
     ],
 )
 def test_prints_of_random_shapes(family, seed):

@@ -9,7 +9,7 @@ half-space
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     import cadquery as cq
 
 _NEAR_MM = 1e-6
+_FLAT_MM = 1e-5
 _SAME = 1e-6
 
 
@@ -107,4 +108,24 @@ def _shared(planes: Array, wall_mm: float) -> cq.Solid:
         if not points or np.linalg.norm(np.array(points) - point, axis=1).min() > _NEAR_MM:
             points.append(point)
     corners = np.array(points)
-    return solid_of([[corners[triangle]] for triangle in ConvexHull(corners).simplices])
+    hull = ConvexHull(corners)
+    solid = solid_of([[ring] for ring in _rings(corners, planes)])
+    if solid.isValid() and abs(solid.Volume() - hull.volume) < _SAME * hull.volume:
+        return solid
+    return solid_of([[corners[triangle]] for triangle in hull.simplices])
+
+
+def _rings(corners: Array, planes: Array) -> Iterator[Array]:
+    """The corners in each plane, in order around its face."""
+    found = set()
+    for plane in planes:
+        normal = plane[:3]
+        here = np.flatnonzero(np.abs(corners @ normal + plane[3]) < _FLAT_MM)
+        # Faces in one plane have one ring.
+        if len(here) < 3 or tuple(here) in found:
+            continue
+        found.add(tuple(here))
+        arms = corners[here] - corners[here].mean(axis=0)
+        across = np.cross(normal, arms[0])
+        turns = np.arctan2(arms @ across, arms @ arms[0])
+        yield corners[here[np.argsort(turns)]]

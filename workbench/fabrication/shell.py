@@ -13,6 +13,7 @@ window
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from typing import TYPE_CHECKING, cast
 
 import numpy as np
@@ -27,6 +28,7 @@ from .polyhedra import Loop, Polyhedron, area_vector, polyhedron_of
 from .settings import ShellSettings
 from .sides import face_sides
 from .turned import turned_solid
+from .wall_distance import ThinWallError, check_planes, check_wall
 
 if TYPE_CHECKING:
     import cadquery as cq
@@ -81,17 +83,20 @@ def shell_solid(model: Model, settings: ShellSettings = _DEFAULTS) -> cq.Shape:
             else _hollow_or_built(block, body, outwards, mouths, move)
             for move in moves
         ]
-    except NoWallAroundError:
+    except (NoWallAroundError, ThinWallError):
         raise
     except FabricationError as error:
         raise _too_thick(body, wall) from error
-    slabs = [_partition(body, loops, wall) for loops in body.partitions.values()]
-    parts += [slab.intersect(block) for slab in slabs]
     solid = parts[0].fuse(*parts[1:]) if len(parts) > 1 else parts[0]
     for id_ in windows:
         # Beyond the wall on both sides, but not further into the hollow than the wall is thick.
         solid = solid.cut(_thick([body.points(loop) for loop in body.skin[id_]], -wall, wall))
-    return _one_solid(solid.clean() if len(parts) > 1 or windows else solid, block)
+    # After the windows: a partition that ends at a window's border keeps both of its sides.
+    slabs = [_partition(body, loops, wall) for loops in body.partitions.values()]
+    if slabs:
+        solid = solid.fuse(*(slab.intersect(block) for slab in slabs))
+    fused = len(parts) > 1 or windows or slabs
+    return _one_solid(solid.clean() if fused else solid, block)
 
 
 def _outwards(body: Polyhedron) -> dict[str, Array]:
@@ -172,19 +177,27 @@ def _hollow_or_built(
     mouths: Sequence[str],
     move: float,
 ) -> cq.Shape:
-    """The kernel's walls; where it makes none, ours."""
+    """A convex body's moved half-spaces; else the kernel's walls, and where it fails our slabs."""
     from OCP.Standard import Standard_Failure
     from OCP.StdFail import StdFail_NotDone
 
+    faults = (Standard_Failure, StdFail_NotDone, TypeError, ValueError)
+    if is_convex(body, outwards):
+        with suppress(FabricationError, *faults):
+            return convex_wall(block, body, outwards, mouths, move)
     try:
-        return _hollow(block, body, mouths, move)
+        wall = _hollow(block, body, mouths, move)
+        check_planes(wall, body, outwards, mouths, move)
+        check_wall(wall, body, mouths, abs(move))
     except FabricationError as error:
         try:
-            if is_convex(body, outwards):
-                return convex_wall(block, body, outwards, mouths, move)
-            return mixed_wall(block, body, outwards, mouths, move)
-        except (Standard_Failure, StdFail_NotDone, TypeError, ValueError):
+            wall = mixed_wall(block, body, outwards, mouths, move)
+            check_wall(wall, body, mouths, abs(move))
+        except NoWallAroundError:
+            raise
+        except (FabricationError, *faults):
             raise error from None
+    return wall
 
 
 def _hollow(block: cq.Solid, body: Polyhedron, mouths: Sequence[str], move: float) -> cq.Shape:

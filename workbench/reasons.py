@@ -105,6 +105,7 @@ REASONS = (
     "outline crosses itself",
     "side inside, or thinner plates",
     "no wall of {0} mm can be made around {1}, where edges look outwards and inwards",
+    "the wall comes out {0} mm thick here, not {1} mm",
     "a solid print, no face left out, or plates",
     "a smaller kerf, or wider fingers",
     "the preset {} has no layers",

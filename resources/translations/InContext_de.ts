@@ -3126,6 +3126,10 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>um {1} herum, wo Kanten nach außen und nach innen zeigen, geht keine Wand von {0} mm</translation>
     </message>
     <message>
+        <source>the wall comes out {0} mm thick here, not {1} mm</source>
+        <translation>die Wand wird hier {0} mm dick statt {1} mm</translation>
+    </message>
+    <message>
         <source>a solid print, no face left out, or plates</source>
         <translation>ein voller Druck, keine weggelassene Fläche oder Platten</translation>
     </message>

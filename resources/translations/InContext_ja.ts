@@ -3126,6 +3126,10 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>外向きと内向きの辺が集まる {1} の周りには {0} mm の壁を作れません</translation>
     </message>
     <message>
+        <source>the wall comes out {0} mm thick here, not {1} mm</source>
+        <translation>ここの壁は {1} mm ではなく {0} mm の厚さになります</translation>
+    </message>
+    <message>
         <source>a solid print, no face left out, or plates</source>
         <translation>中空にせず印刷する、面を省かない、または板で作る</translation>
     </message>

@@ -104,11 +104,25 @@ def _of_several(owned: Owned, H: Array, inverse: Array, h: Array, stiffness: flo
     found = []
     for id_, rows in owned.items():
         if len(rows) > 1:
-            left = np.eye(len(rows)) * (1 + 1e-9) - stiffness * (H[rows] @ inverse @ H[rows].T)
+            own, missed, beside = _few_rows(H[rows], h[rows])
+            left = np.eye(len(own)) * (1 + 1e-9) - stiffness * (own @ inverse @ own.T)
             values, vectors = np.linalg.eigh(left)
-            along = (h[rows] @ vectors) ** 2 / np.maximum(values, 1e-9)
-            found.append(Relief(id_, stiffness * float(along.sum()), int((values < FREED).sum())))
+            along = (missed @ vectors) ** 2 / np.maximum(values, 1e-9)
+            gain = stiffness * (float(along.sum()) + beside)
+            found.append(Relief(id_, gain, int((values < FREED).sum())))
     return found
+
+
+def _few_rows(H: Array, h: Array) -> tuple[Array, Array, float]:
+    """No more rows than unknowns that say the same, and the square of what of h none of them has.
+
+    With H = Q R: R, Q^T h and the rest of |h|^2. One vertex on a face of a tangle has thousands.
+    """
+    n = H.shape[1]
+    if len(h) <= n + 1:
+        return H, h, 0.0
+    R = np.asarray(np.linalg.qr(np.column_stack([H, h]), mode="r"))
+    return R[:n, :n], R[:n, n], float(R[n, n] ** 2)
 
 
 def _unshared(soft: FullProblem, full: FullProblem, x: Pose) -> Pose:

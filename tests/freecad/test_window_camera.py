@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide import QtCore, QtGui
 
-from incontext.tests.freecad.hands import wait_until
+from incontext.tests.freecad.hands import pump, wait_until
 from incontext.tests.rectangles import SMALL, camera_at, corners_mm, seen
 from incontext.workbench.features import pipeline
 from incontext.workbench.features.known_rectangle import rectangle_of
@@ -86,10 +86,15 @@ def test_four_clicks_and_a_size_give_the_camera(person, document, corners):
     person.press("ctrl+shift+z")
     assert pipeline.graph_of(sketch.Sketch).camera is not None
 
-    # A corner that is dragged is put right again.
+    # A corner that is dragged is put right again, often to the last digit.
+    dragged = []
+    person.view.rectangle_told.connect(dragged.append)
     u, v = found[0]
     person.drag(person.at_px(u, v), person.at_px(u + 5, v + 4))
-    wait_until(lambda: 0 < np.abs(rectangle_of(sketch.Marker)[0] - np.array(found)).max() < 0.3)
+    wait_until(lambda: bool(dragged))
+    pump(0.5)
+    assert np.abs(np.array(dragged[-1].corners_px) - np.array(found)).max() > 3
+    assert np.abs(rectangle_of(sketch.Marker)[0] - np.array(found)).max() < 0.3
     person.press("Delete")
     wait_until(lambda: pipeline.graph_of(sketch.Sketch).camera is None)
     assert sketch.Marker == ""

@@ -156,11 +156,8 @@ def value_cell(window, name):
     return None
 
 
-def test_a_fixed_angle_is_typed_in_the_property_editor(gable, document, window, hands):
-    model, pair, name = gable
-    click_angle(model, pair)
-    FreeCADGui.Selection.clearSelection()
-    FreeCADGui.Selection.addSelection(model)
+def type_value(window, hands, name, text):
+    """Type a property of what is selected in the property editor."""
     wait_until(lambda: value_cell(window, name))
     tree, cell = value_cell(window, name)
     tree.scrollTo(cell)
@@ -169,8 +166,16 @@ def test_a_fixed_angle_is_typed_in_the_property_editor(gable, document, window, 
     hands.double_click(tree.viewport().mapToGlobal(tree.visualRect(cell).center()))
     pump(0.3)
     hands.press("ctrl+a")
-    hands.type("117")
+    hands.type(text)
     hands.press("Return")
+
+
+def test_a_fixed_angle_is_typed_in_the_property_editor(gable, document, window, hands):
+    model, pair, name = gable
+    click_angle(model, pair)
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(model)
+    type_value(window, hands, name, "117")
     wait_until(lambda: model.SaidAngles.endswith("117.0]]"))
     document.recompute()
     assert model.Status == "converged", model.Message

@@ -2,24 +2,28 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import ezdxf
 import FreeCAD
 import FreeCADGui
 import numpy as np
 import pytest
 import trimesh
+from PySide import QtCore, QtGui
 
-from incontext.tests.freecad.hands import pump
+from incontext.tests.freecad.hands import pump, wait_until
+from incontext.tests.freecad.test_window_dimensions import type_value
+from incontext.workbench.commands.export_plates import ExportPlates
+from incontext.workbench.commands.export_print import ExportPrint
 from incontext.workbench.commands.fix_length import fix_or_free
 from incontext.workbench.commands.open_example import EXAMPLE_COMMANDS
 from incontext.workbench.features.dimension_names import dimension_named
 from incontext.workbench.features.dimensions import DRIVING, SHOWN
 from incontext.workbench.features.plate_set import is_plate_set, plates_of
-from incontext.workbench.panels import export_dialog
+from incontext.workbench.panels.export_dialog import ExportDialog
 from incontext.workbench.panels.open_tabs import open_tabs
 
+#: The workbench's own menu.
+OURS = "Modeling in Context"
 #: How much larger a person wants it.
 LARGER = 1.1
 
@@ -37,8 +41,8 @@ def driving(model):
     return [n for n in model.PropertiesList if model.getGroupOfProperty(n) == DRIVING]
 
 
-def enlarge(model):
-    """Type a size 10 % larger; where none drives, fix the largest that is shown first.
+def enlarge(window, hands, model):
+    """Type a size 10 % larger in the property editor; where none drives, fix the largest first.
 
     There a marker tells the scale: a size that is typed changes nothing but itself.
     """
@@ -48,30 +52,58 @@ def enlarge(model):
         largest = max(shown, key=lambda name: getattr(model, name).Value)
         fix_or_free(model, [dimension_named(largest)])
         names = driving(model)
-    setattr(model, names[0], LARGER * getattr(model, names[0]).Value)
+    larger = f"{LARGER * getattr(model, names[0]).Value:.2f}"
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(model)
+    type_value(window, hands, names[0], larger)
+    wait_until(lambda: getattr(model, names[0]).Value == pytest.approx(float(larger)))
     model.Document.recompute()
 
 
+def choose(window, hands, *titles):
+    """Click through FreeCAD's menus, down to a command."""
+    menu = window.menuBar()
+    for title in titles:
+        (action,) = [a for a in menu.actions() if a.text().replace("&", "") == title]
+        hands.click(menu.mapToGlobal(menu.actionGeometry(action).center()))
+        menu = QtGui.QApplication.activePopupWidget()
+
+
+def export_into(folder):
+    """Say the folder, once the window asks, and push its button."""
+
+    def look():
+        windows = QtGui.QApplication.topLevelWidgets()
+        found = [w for w in windows if isinstance(w, ExportDialog) and w.isVisible()]
+        if not found:
+            QtCore.QTimer.singleShot(50, look)
+            return
+        found[0].findChildren(QtGui.QLineEdit)[1].setText(str(folder))
+        found[0].export_button.click()
+
+    QtCore.QTimer.singleShot(50, look)
+
+
 @pytest.mark.parametrize("command", EXAMPLE_COMMANDS, ids=lambda c: c.EXAMPLE)
-def test_opened_resized_and_made(window, no_document_left, command, tmp_path, monkeypatch):
-    FreeCADGui.runCommand(command.NAME)
-    pump(0.5)
+def test_opened_resized_and_made(window, hands, no_document_left, command, tmp_path):
+    choose(window, hands, OURS, "Examples", command.MENU_TEXT)
+    wait_until(open_tabs)
     document = FreeCAD.ActiveDocument
     sketch, model, product = document.Objects[:3]
     assert document.Label == command.MENU_TEXT
     assert [tab.obj for tab in open_tabs()] == [sketch]
     assert (model.Status, product.Status) == ("converged", "made")
     size = product.Shape.BoundBox.DiagonalLength
-    enlarge(model)
+    enlarge(window, hands, model)
     assert (model.Status, product.Status) == ("converged", "made"), product.Message
     assert 1.01 * size < product.Shape.BoundBox.DiagonalLength < 1.12 * size
 
-    agree = lambda dialog: replace(dialog.choice, folder=tmp_path)  # noqa: E731
-    monkeypatch.setattr(export_dialog, "ask_what_to_export", agree)
     FreeCADGui.Selection.clearSelection()
     FreeCADGui.Selection.addSelection(product)
     is_cut = is_plate_set(product)
-    FreeCADGui.runCommand("InContext_ExportPlates" if is_cut else "InContext_ExportPrint")
+    export_into(tmp_path)
+    choose(window, hands, OURS, (ExportPlates if is_cut else ExportPrint).MENU_TEXT)
+    wait_until(lambda: any(tmp_path.glob("*.dxf" if is_cut else "*.stl")))
     (drawing if is_cut else printed)(product, tmp_path)
 
 

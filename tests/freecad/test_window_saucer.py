@@ -48,7 +48,7 @@ def test_saucer_by_the_marker_from_an_empty_sketch_to_a_printable_solid(person, 
     solution = pipeline.solution_of(sketch.Sketch)
     assert solution.status.value == "converged", solution.message
     foot = 2 * solution.circles[turned.bottom].radius_mm
-    assert foot == pytest.approx(truth["cup"]["foot_diameter_mm"], rel=0.05)
+    assert foot == pytest.approx(truth["cup"]["foot_diameter_mm"], rel=0.02)
     assert solution.camera.focal_px == pytest.approx(truth["camera"]["focal_px"], rel=0.02)
     assert person.gestures == REPLAYED["cup_saucer"]
     assert person.complaints() == []

@@ -26,8 +26,9 @@ NOTES = """Time is the processor's, from nothing. Gestures: a drag for each line
 for each face whose angles are right, and so on. In brackets what it took with real mouse and keys,
 from an empty sketch, each typed letter counted (a lid like this one on a table; the organizer
 without the notes, its own width given instead; the saucer with the clicks on its marker; the
-cover with those on its sheet of A5, and the wheel); the desk tidy was not replayed. *Measured,
-true*: existing things, by the sketch.
+cover with those on its sheet of A5, and the wheel; the desk tidy as two boxes and their partition,
+the wheel and the middle of the uncropped photo counted too). *Measured, true*: existing things,
+by the sketch.
 """
 
 

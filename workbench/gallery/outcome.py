@@ -38,6 +38,7 @@ if TYPE_CHECKING:
 REPLAYED = {
     "bookshelf": 39,
     "organizer": 36,
+    "desk_tidy": 74,
     "teapot_lid": 19,
     "cup_saucer": 17,
     "scissors_cover": 50,

@@ -14,10 +14,11 @@ from incontext.tests.freecad.hands import pump, wait_until
 from incontext.tests.freecad.test_window_dimensions import type_value
 from incontext.workbench.commands.export_plates import ExportPlates
 from incontext.workbench.commands.export_print import ExportPrint
-from incontext.workbench.commands.fix_length import fix_or_free
+from incontext.workbench.commands.fix_length import FixLength
 from incontext.workbench.commands.open_example import EXAMPLE_COMMANDS
 from incontext.workbench.features.dimension_names import dimension_named
 from incontext.workbench.features.dimensions import DRIVING, SHOWN
+from incontext.workbench.features.picking import dimension_at
 from incontext.workbench.features.plate_set import is_plate_set, plates_of
 from incontext.workbench.panels.export_dialog import ExportDialog
 from incontext.workbench.panels.open_tabs import open_tabs
@@ -50,7 +51,11 @@ def enlarge(window, hands, model):
     if not names:
         shown = [n for n in model.PropertiesList if model.getGroupOfProperty(n) == SHOWN]
         largest = max(shown, key=lambda name: getattr(model, name).Value)
-        fix_or_free(model, [dimension_named(largest)])
+        edges = (f"Edge{k + 1}" for k in range(len(model.Shape.Edges)))
+        edge = next(e for e in edges if dimension_at(model, e) == dimension_named(largest))
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(model, edge)
+        choose(window, hands, OURS, FixLength.MENU_TEXT)
         names = driving(model)
     larger = f"{LARGER * getattr(model, names[0]).Value:.2f}"
     FreeCADGui.Selection.clearSelection()

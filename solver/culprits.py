@@ -6,19 +6,16 @@ from functools import partial
 
 from .annotations import Angle, Diameter, Length
 from .blaming import (
-    MAX_COORDINATES,
-    MAX_NUMBERS,
     Blame,
     blame_by_relief,
     blame_for_clash,
     blame_for_several,
     blame_for_wishes,
     find_blame,
-    is_settled,
     needs_a_closer_look,
-    reading_of,
     suspicion,
 )
+from .candidates import MAX_COORDINATES, MAX_NUMBERS, is_settled, reading_of
 from .diagnosis import (
     Reading,
     disagree,

@@ -10,7 +10,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from .blaming import GROSS_RMS, Blame, blame_for_wishes, drawing_rms, is_settled
+from .blaming import GROSS_RMS, Blame, blame_for_wishes
+from .candidates import drawing_rms, is_settled
 from .diagnosis import freedoms, without
 from .graph import SketchGraph
 from .lifting import Lifted

@@ -23,7 +23,7 @@ from itertools import islice
 
 import numpy as np
 
-from .blaming import drawn_diagonal, is_settled, reading_of
+from .candidates import drawn_diagonal, is_settled, reading_of
 from .diagnosis import Reading
 from .diagnosis.precision import tangent
 from .full import DRAWING_SIGMA, FocalPrior, FullProblem, Pose

@@ -29,7 +29,7 @@ from .annotations import (
     Parallel,
     RightAngle,
 )
-from .blaming import drawn_diagonal
+from .candidates import drawn_diagonal
 from .full import FullProblem, Pose
 from .graph import Revolution, SketchGraph
 from .problem import IMAGINED_SIGMA

@@ -8,13 +8,9 @@ from dataclasses import replace
 import numpy as np
 
 from .annotations import Angle, Diameter, EqualLength, Length
-from .blaming import (
-    GROSS_RMS,
-    Blame,
-    drawing_rms,
-    drawn_diagonal,
-)
+from .blaming import GROSS_RMS, Blame
 from .camera import Camera
+from .candidates import drawing_rms, drawn_diagonal
 from .circles import flat_circles
 from .diagnosis import (
     UNSURE_SIZE_SIGMA,

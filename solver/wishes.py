@@ -22,7 +22,7 @@ from operator import itemgetter
 import numpy as np
 
 from .annotations import Angle, Annotation, Diameter, Length
-from .blaming import HELD, is_settled
+from .candidates import HELD, is_settled
 from .diagnosis import freedoms, pose_in, without
 from .elastic import gentlest_step
 from .full import FullProblem, Pose

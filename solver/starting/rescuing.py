@@ -7,16 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ..blaming import (
-    CLOSER_LOOK_RMS,
-    DOUBTFUL_RMS,
-    MAX_COORDINATES,
-    Candidate,
-    Near,
-    is_settled,
-    reading_of,
-)
-from ..blaming import lift_near as near_to
+from ..blaming import CLOSER_LOOK_RMS, DOUBTFUL_RMS
+from ..candidates import MAX_COORDINATES, Candidate, Near, is_settled, reading_of
+from ..candidates import lift_near as near_to
 from ..diagnosis import KnownShape, beginnings, pose_near
 from ..full import EXIF_LOG_SIGMA, FocalPrior, FullProblem
 from ..graph import SketchGraph

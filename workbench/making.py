@@ -13,6 +13,7 @@ from ..solver.model import Model, build_model
 from ..solver.solution import Solution
 from .checked import plates_check, print_check
 from .fabrication.fits import effects
+from .fabrication.notes import notes_of
 from .fabrication.plates import Joined, Plate, joined_plates
 from .fabrication.settings import PlateSettings, ShellSettings, ShopSettings, bed_note
 
@@ -124,7 +125,7 @@ def made(graph: SketchGraph, solution: Solution, photo: Image.Image | None, orde
     if order.plates is not None:
         joined = joined_plates(model, order.plates)
         files |= _plate_files(joined, order.plates, order)
-        notes += joined.notes
+        notes += notes_of(joined)
         notes += _locks(joined.plates, strict=order.extras.assembly)
         details += [*effects(order.plates), *(joint.words for joint in joined.joints)]
         check = plates_check(joined, model, graph, solution)

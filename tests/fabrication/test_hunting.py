@@ -11,6 +11,7 @@ from incontext.workbench.fabrication import (
     outlines,
     shell_solid,
 )
+from incontext.workbench.fabrication.notes import notes_of
 
 #: Those that take long are left to the hunt.
 QUICK = [family for family in FAMILIES if family != "polycube"]
@@ -87,9 +88,9 @@ def test_slots_keep_one_thickness_from_borders(seed, monkeypatch):
     settings = replace(settings, kerf_mm=0.0, relief="none")
     joined = joined_plates(model, settings)
     assert not list(broken(model, settings, joined))
-    assert not [note for note in joined.notes if "slot for" in note]
+    assert not [note for note in notes_of(joined) if "slot for" in note]
     monkeypatch.setattr(outlines, "clear_slots", lambda repair, *_: repair)
-    assert [note for note in joined_plates(model, settings).notes if "slot for" in note]
+    assert [note for note in notes_of(joined_plates(model, settings)) if "slot for" in note]
 
 
 def test_tabs_for_which_there_is_no_room_are_a_butt_joint_with_the_reason():

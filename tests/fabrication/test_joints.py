@@ -13,6 +13,7 @@ from incontext.workbench.fabrication import (
     joined_plates,
     make_plates,
 )
+from incontext.workbench.fabrication.notes import notes_of
 
 
 def with_joints(*texts, **options):
@@ -58,7 +59,7 @@ def test_a_text_that_is_no_choice(text, words):
 def test_every_edge_of_a_box_gets_fingers_and_its_name():
     model = shapes.box()
     joined = joined_plates(model)
-    assert joined.notes == ()
+    assert notes_of(joined) == ()
     assert {j.kind for j in joined.joints} == {"finger"}
     assert sorted(e for j in joined.joints for e in j.meeting.edge_ids) == sorted(model.edges)
 
@@ -150,7 +151,7 @@ def test_a_joint_that_cannot_be_is_refused_by_name(make, choice, words):
 
 def test_short_edges_are_butted_and_it_is_said():
     joined = joined_plates(shapes.box(120, 80, 12))
-    notes = [note for note in joined.notes if "front" in note and "left" in note]
+    notes = [note for note in notes_of(joined) if "front" in note and "left" in note]
     assert len(notes) == 1
     assert "butt" in notes[0]
     assert "fingers need 13.5 mm at least" in notes[0]
@@ -170,7 +171,7 @@ def wedge(degrees):
 @pytest.mark.parametrize("degrees", [20, 155])
 def test_flat_and_sharp_edges_are_butted_and_it_is_said(degrees):
     joined = joined_plates(wedge(degrees))
-    (note,) = joined.notes
+    (note,) = notes_of(joined)
     assert f"{degrees} degrees; fingers hold from 30 to 150 degrees" in note
     with pytest.raises(FabricationError, match="fingers cannot hold here") as caught:
         joined_plates(wedge(degrees), with_joints("floor:wall=finger"))

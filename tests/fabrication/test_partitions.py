@@ -11,6 +11,7 @@ from fabrication import shapes, slanted
 from fabrication.bodies import body, overlaps, union
 
 from incontext.workbench.fabrication import PlateSettings, joined_plates, make_plates
+from incontext.workbench.fabrication.notes import notes_of
 
 
 @pytest.mark.parametrize("side", ["inside", "outside", "middle"])
@@ -89,7 +90,7 @@ def test_crossing_partitions_are_slotted_half_through_each():
 
 def test_a_partition_between_two_fingered_corners_is_cut_off_square():
     joined = joined_plates(slanted.diagonal())
-    assert joined.notes == ()
+    assert notes_of(joined) == ()
     kinds = {j.meeting.one[0]: j.kind for j in joined.joints if j.meeting.two == ("diagonal",)}
     assert kinds == {"bottom": "tab_slot"}
 

@@ -20,6 +20,7 @@ from incontext.workbench.fabrication import (
     make_plates,
 )
 from incontext.workbench.fabrication.frame import find_frame
+from incontext.workbench.fabrication.notes import notes_of
 from incontext.workbench.fabrication.walls import find_walls
 
 SIDES = ("inside", "outside", "middle")
@@ -177,7 +178,7 @@ def test_walls_that_touch_in_one_point_leave_what_a_square_cut_must(seed, side, 
     joined = joined_plates(model, PlateSettings(side=side))
     check_laws(joined.plates, spaces(model, side).volume() - void)
     assert sum(joined.empty_mm3.values()) == pytest.approx(void)
-    assert [note for note in joined.notes if f"{void:.1f} mm3 stay empty" in note]
+    assert [note for note in notes_of(joined) if f"{void:.1f} mm3 stay empty" in note]
 
 
 @pytest.mark.parametrize("name", ["bookshelf", "organizer_8"])

@@ -24,7 +24,6 @@ from .errors import FabricationError, NotRightAngledError
 from .finger_joints import share_out
 from .frame import Frame, find_frame, leaning_openings, snapped
 from .joints import Joint, JointPlan
-from .near_borders import slots_near_borders
 from .outlines import cut_outlines
 from .settings import PlateSettings
 from .walls import Wall, find_walls
@@ -87,21 +86,6 @@ class Joined:
     plates: tuple[Plate, ...]
     joints: tuple[Joint, ...]
     empty_mm3: Mapping[tuple[str, ...], float] = field(default_factory=dict)
-
-    @property
-    def notes(self) -> tuple[str, ...]:
-        """One line for each unusual joint, each slot too near to a border and each void."""
-        unusual = tuple(joint.words for joint in self.joints if joint.reason)
-        near = slots_near_borders(self.plates, self.joints)
-        return (*unusual, *near, *(void_words(ids, size) for ids, size in self.empty_mm3.items()))
-
-
-def void_words(face_ids: Iterable[str], volume_mm3: float) -> str:
-    """One line about space that no plate can fill."""
-    return (
-        f"{', '.join(face_ids)} meet in a point: {volume_mm3:.1f} mm3 stay empty there, which "
-        "square cuts cannot fill"
-    )
 
 
 def joined_plates(model: Model, settings: PlateSettings = _DEFAULTS) -> Joined:

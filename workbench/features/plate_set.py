@@ -197,11 +197,12 @@ def _why_not_cut(obj: Any, joined: Joined) -> str:
 
 
 def _show(obj: Any, joined: Joined) -> None:
+    from ..fabrication.notes import notes_of
     from .references import show_plates
     from .shapes import plates_shape
 
     plates, steps, locked = _put_together(joined, exploded=obj.Exploded)
-    notes = map(in_language, joined.notes)
+    notes = map(in_language, notes_of(joined))
     words = [host.translate("InContext", "{} plates").format(len(plates)), *notes]
     _set_lines(obj, "Assembly", steps)
     show_plates(obj, plates_shape(plates), [plate.id for plate in plates])

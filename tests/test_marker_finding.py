@@ -58,6 +58,17 @@ def test_rough_clicks_on_a_sheet_of_paper_do_as_well():
     assert as_told.view.size_sigma > 2 * found.view.size_sigma
 
 
+def test_clicks_on_the_marker_are_known_to_be_on_it():
+    pytest.importorskip("cv2")
+    rng = np.random.default_rng(11)
+    camera = camera_at(40, -70, 500, 900, photo=SMALL)
+    grey = seen(camera, SMALL, rng)
+    for size, is_marker in ((SQUARE, True), ((130.0, 130.0), False)):
+        clicks = camera.project(corners_mm(size)) + rng.uniform(-3, 3, (4, 2))
+        assert seen_corners(SMALL, grey, clicks).is_marker is is_marker
+    assert seen_corners(SMALL, grey, None).is_marker
+
+
 def test_corners_are_taken_as_they_are_where_no_edges_are_seen():
     rng = np.random.default_rng(8)
     camera = camera_at(40, -70, 500, 900, photo=SMALL)

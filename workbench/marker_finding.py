@@ -14,7 +14,7 @@ import numpy as np
 from ..solver.errors import SketchError
 from ..solver.perspective.marker import RectangleView, camera_from_rectangle, ring_of
 from ..solver.problem import TRACED_SIGMA_PX
-from .marker_quads import best_quad
+from .marker_quads import best_quad, shows_marker
 from .photo_lines import FoundCorners, FoundLine, refined_corners
 
 if TYPE_CHECKING:
@@ -55,12 +55,15 @@ class SeenCorners:
         The straight edges that they were found by; none where they are as told.
     notes : tuple of str
         What a person should know of it, a sentence each.
+    is_marker : bool
+        Whether they are seen to be those of the printed marker.
     """
 
     corners_px: Array
     sigma_px: float
     sides: tuple[FoundLine, ...] = ()
     notes: tuple[str, ...] = ()
+    is_marker: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -179,9 +182,19 @@ def seen_corners(
         seen = refined_corners(grey, ring, CLICK_REACH * longer)
     if seen is not None:
         sigma_px = max(LEAST_SIGMA_PX, seen.sigma_px)
-        return SeenCorners(seen.corners_px, sigma_px, seen.sides, _of_blur(seen))
+        is_marker = corners_px is None or _shows_marker(grey, seen.corners_px)
+        return SeenCorners(seen.corners_px, sigma_px, seen.sides, _of_blur(seen), is_marker)
     notes = () if exactly or grey is None else (NOT_SEEN,)
-    return SeenCorners(ring, max(TRACED_SIGMA_PX, CLICK_SIGMA * longer), (), notes)
+    sigma_px = max(TRACED_SIGMA_PX, CLICK_SIGMA * longer)
+    return SeenCorners(ring, sigma_px, (), notes, is_marker=corners_px is None)
+
+
+def _shows_marker(grey: Array | None, corners_px: Array) -> bool:
+    """Whether the corners are the marker's; without OpenCV nobody knows."""
+    try:
+        return grey is not None and shows_marker(grey, corners_px)
+    except ModuleNotFoundError:
+        return False
 
 
 def _of_blur(seen: FoundCorners) -> tuple[str, ...]:

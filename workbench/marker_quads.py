@@ -54,6 +54,30 @@ def best_quad(calm: Array, pictures: Iterator[Array]) -> Array | None:
     return quads[int(np.argmax(alike))] if alike and max(alike) > ALIKE else None
 
 
+def shows_marker(grey: Array, quad: Array) -> bool:
+    """Whether four corners in a photo are those of the marker's black square.
+
+    Parameters
+    ----------
+    grey : (height, width) array
+        Brightness, 0 to 255.
+    quad : (4, 2) array
+        In order around, photo px.
+
+    Raises
+    ------
+    ModuleNotFoundError
+        Where OpenCV is not installed.
+    """
+    around = np.ptp(quad, axis=0) / FIELDS
+    low = np.floor(np.maximum(quad.min(axis=0) - around, 0.0)).astype(int)
+    high = np.ceil(quad.max(axis=0) + around).astype(int)
+    spot = grey[low[1] : high[1], low[0] : high[0]]
+    light = np.log(np.clip(spot, 0, 255) + _DARKEST).astype(np.float32)
+    # OpenCV counts from the middle of the first pixel.
+    return bool(spot.size) and likeness(light, quad - low - 0.5) > ALIKE
+
+
 def _joined(picture: Array) -> Iterator[Array]:
     """The picture, and the same where dark parts near each other are one: shadows part them."""
     import cv2

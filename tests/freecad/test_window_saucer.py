@@ -8,6 +8,7 @@ import pytest
 from incontext.solver import load_sketch
 from incontext.tests.freecad.hands import wait_until
 from incontext.tests.freecad.test_window_camera import answer
+from incontext.workbench import host
 from incontext.workbench.examples import load_example
 from incontext.workbench.features import pipeline
 from incontext.workbench.gallery.outcome import REPLAYED
@@ -25,6 +26,8 @@ def photo_path():
 def test_saucer_by_the_marker_from_an_empty_sketch_to_a_printable_solid(person, document):
     drawn, truth = load_sketch(EXAMPLE / "cup_saucer.sketch.json"), load_example("cup_saucer").truth
     sketch = document.getObject("PhotoSketch")
+    # What was told last is not asked for where the photo shows the marker.
+    host.preferences().SetString("RectangleKind", "A5 sheet")
     person.press("w")
     answer(lambda window: window.accept())
     for corner in MARKER:

@@ -86,7 +86,7 @@ class CameraFinding:
         if told is not None and told.size_mm is not None:
             self._write(camera_of_corners(photo, seen, told.size_mm), told.size_mm)
             return
-        dialog = RectangleDialog(photo, seen, self._view, is_marker=told is None)
+        dialog = RectangleDialog(photo, seen, self._view)
         dialog.setAttribute(QtCore.Qt.WA_DeleteOnClose)
         dialog.finished.connect(lambda _: self.show())
         dialog.accepted.connect(lambda: self._write(dialog.found, dialog.size_mm))

@@ -38,20 +38,16 @@ class RectangleDialog(QtGui.QDialog):
     seen : SeenCorners
     view : SketchView
         Shows the grid.
-    is_marker : bool
-        Whether it is known to be the printed marker.
     """
 
-    def __init__(
-        self, photo: Photo, seen: SeenCorners, view: SketchView, *, is_marker: bool
-    ) -> None:
+    def __init__(self, photo: Photo, seen: SeenCorners, view: SketchView) -> None:
         super().__init__(view.window())
         self._photo, self._seen, self._view = photo, seen, view
         self.found: Found | None = None
         self._had_grid = view.attraction.grid_shown
         self.setWindowTitle(host.translate("InContext", "Camera from a rectangle"))
         self._build()
-        wanted = MARKER if is_marker else host.preferences().GetString(_LAST, MARKER)
+        wanted = MARKER if seen.is_marker else host.preferences().GetString(_LAST, MARKER)
         names = [MARKER, *PAPERS, OTHER]
         self.kind.setCurrentIndex(names.index(wanted) if wanted in names else 0)
         self._names = names

@@ -90,6 +90,10 @@ def test_four_clicks_and_a_size_give_the_camera(person, document, corners):
     dragged = []
     person.view.rectangle_told.connect(dragged.append)
     u, v = found[0]
+    person.hands.move(person.at_px(u, v))
+    while person.view.zoom < 1:
+        # From far away so small a way is a click.
+        person.hands.wheel_up()
     person.drag(person.at_px(u, v), person.at_px(u + 5, v + 4))
     wait_until(lambda: bool(dragged))
     pump(0.5)

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import combinations, pairwise
+from itertools import chain, combinations, pairwise
 
 import numpy as np
 import shapely
@@ -216,7 +216,7 @@ def _of(repair: Repair, wall: int) -> tuple[Wall, Polygon]:
 
 
 def _moves(repair: Repair, near: _Near) -> Iterator[tuple[int, tuple[int, ...]]]:
-    """Columns of a wall around a lane, given to that wall: few and near ones first."""
+    """Columns of a wall around a lane, given to that wall: near ones first."""
     wall = repair.walls[near.wall]
     zone = near.lane.buffer(1.5 * wall.thickness_mm, join_style="mitre").union(near.slot)
     around = [
@@ -231,13 +231,14 @@ def _moves(repair: Repair, near: _Near) -> Iterator[tuple[int, tuple[int, ...]]]
     columns = {
         w: _columns(repair, w, [n for n in around if w in repair.pieces[n].rivals]) for w in takers
     }
-    for size in (1, 2, 3, 4):
-        for w, every in columns.items():
-            some = every if size == 1 else every[:_NEAREST]
-            for chosen in combinations(some, size):
-                yield w, tuple(n for column in chosen for n in column)
-    for w, every in columns.items():
-        yield w, tuple(n for column in every for n in column)
+    some = {w: every[:_NEAREST] for w, every in columns.items()}
+    # The tries may run out: first come one column alone and all together, of which there are few.
+    for w, chosen in chain(
+        ((w, (one,)) for w, every in columns.items() for one in every),
+        columns.items(),
+        ((w, few) for n in (2, 3, 4) for w, near in some.items() for few in combinations(near, n)),
+    ):
+        yield w, tuple(n for column in chosen for n in column)
 
 
 def _spot(piece: Piece, wall: Wall) -> shapely.Point:

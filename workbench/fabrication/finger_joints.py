@@ -235,7 +235,7 @@ def _run_piece(
         slack,
         run.axis if run.kind != "L" else -1,
         least,
-        run.kind == "T" and owner == run.one,
+        run.one if run.kind == "T" else -1,
     )
 
 

@@ -32,8 +32,8 @@ class Piece:
         Along which its run goes; -1 where it is part of no run.
     least_mm : float
         What is narrower along the run holds nothing.
-    carries : bool
-        What a carrier has between and beside tabs: its owner keeps it.
+    carrier : int
+        The wall whose it is between and beside tabs, and which keeps it; -1 where that is none.
     """
 
     low_mm: Corner
@@ -43,7 +43,12 @@ class Piece:
     slack: Slack = NO_SLACK
     run_axis: int = -1
     least_mm: float = 0.0
-    carries: bool = False
+    carrier: int = -1
+
+    @property
+    def carries(self) -> bool:
+        """Whether it is the carrier's."""
+        return self.owner == self.carrier >= 0
 
     def given_to(self, wall: int) -> Piece:
         """The same piece with another owner."""

@@ -29,10 +29,11 @@ from .errors import FabricationError
 from .finger_joints import divide, least_finger_mm
 from .joints import Joint, JointPlan, Meeting
 from .outlines import NECK_MM
+from .overlays import FINE_MM, together, wider, within, without
 from .partitions import partitioned
 from .seams import EdgeKey, EdgeNames, Seam, Seams, edge_frame, find_seams
 from .settings import PlateSettings
-from .slanted_walls import FINE_MM, SlantedWall, slanted_walls
+from .slanted_walls import SlantedWall, slanted_walls
 from .slivers import without_slivers
 from .trimming import (
     on_its_side,
@@ -159,7 +160,7 @@ def _whole(wall: SlantedWall, outline: Polygon) -> Polygon:
         )
     if len(parts) > 1:
         held = parts[0].buffer(1.01 * NECK_MM, join_style="mitre")
-        outline = outline.intersection(held, grid_size=FINE_MM)
+        outline = within(outline, held)
     return without_specks(tidy(max(shapely.get_parts(outline), key=lambda part: part.area)))
 
 
@@ -322,18 +323,14 @@ def _outline(
             if band is not None:
                 removed += _lost(edge, before, after, band, owner=band.owner == w)
     base = Polygon(wall.rings[0], wall.rings[1:])
-    whole = shapely.union_all([base, *added], grid_size=FINE_MM)
+    whole = together([base, *added])
     if added:
         # Where it is drawn to a point, what is added must not go on beyond it.
         widest = -min(edge.tip for ring in edges[w] for edge in ring)
         near = base.buffer(widest + FINE_MM, join_style="mitre", mitre_limit=WIDENED_LIMIT)
-        both = shapely.get_parts(whole.intersection(near, grid_size=FINE_MM))
-        # Where they only touch there are lines too.
-        whole = shapely.union_all([part for part in both if part.geom_type == "Polygon"])
-    # Wider by a few grid steps, so that rounding never makes two plates overlap.
-    lost = shapely.union_all(removed, grid_size=FINE_MM).buffer(4 * FINE_MM, join_style="mitre")
-    cut = whole.difference(lost, grid_size=FINE_MM)
-    parts = [p for p in shapely.get_parts(cut) if p.geom_type == "Polygon" and p.area > 1e-4]
+        whole = within(whole, near)
+    cut = without(whole, wider(together(removed)))
+    parts = [part for part in shapely.get_parts(cut) if part.area > 1e-4]
     return shapely.union_all(parts)
 
 

@@ -19,8 +19,9 @@ from shapely.geometry import Polygon
 from ...solver.values import Array
 from .contacts import FLAT_SINE, Interval, inside
 from .joints import Joint, JointPlan, Meeting
+from .overlays import wider, without
 from .seams import EdgeNames
-from .slanted_walls import FINE_MM, SlantedWall
+from .slanted_walls import SlantedWall
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -95,9 +96,7 @@ def cross(
     for wall, low, high in _halves(lap, walls, drawn, first, second, joint):
         other = second if wall == first else first
         slot = _slot(lap, walls[wall], walls[other], (low, high), joint.play_mm)
-        outlines[wall] = outlines[wall].difference(
-            slot.buffer(4 * FINE_MM, join_style="mitre"), grid_size=FINE_MM
-        )
+        outlines[wall] = without(outlines[wall], wider(slot))
 
 
 def _halves(

@@ -36,9 +36,10 @@ from .contacts import Contact, Interval, contacts_of
 from .crossings import cross, laps_of
 from .finger_joints import divide, least_finger_mm
 from .joints import JointPlan, Meeting
+from .overlays import together, wider, without
 from .seams import EdgeNames
 from .settings import PlateSettings
-from .slanted_walls import FINE_MM, SlantedWall
+from .slanted_walls import SlantedWall
 from .trimming import plate_body, shadow_of
 
 
@@ -117,7 +118,6 @@ def _join(
     """Cut tabs and slots of one contact."""
     p, w = contact.partition, contact.carrier
     lost = contact.strip(contact.span, (min(contact.tip, 0.0) - 1.0, contact.notch))
-    lost = lost.buffer(4 * FINE_MM, join_style="mitre")
     tabs: list[Polygon] = []
     if walls[w].thickness_mm > 0:
         runs = _runs(contact, walls, outlines, bodies, taken)
@@ -148,11 +148,9 @@ def _join(
             taken.tabs.append((contact, ends))
             tabs.append(contact.strip(ends, (contact.tip, contact.notch + 1.0)))
             slot = contact.opening(ends, joint.play_mm)
-            outlines[w] = outlines[w].difference(
-                slot.buffer(4 * FINE_MM, join_style="mitre"), grid_size=FINE_MM
-            )
-    cut = outlines[p].difference(lost, grid_size=FINE_MM)
-    outlines[p] = shapely.union_all([cut, *tabs], grid_size=FINE_MM) if tabs else cut
+            outlines[w] = without(outlines[w], wider(slot))
+    cut = without(outlines[p], wider(lost))
+    outlines[p] = together([cut, *tabs]) if tabs else cut
 
 
 def _world(wall: SlantedWall, point: Array) -> tuple[float, float, float]:
@@ -199,15 +197,15 @@ def _runs(
             clear = carrier.thickness_mm
             for low, high in _spans(shadow_of(partition, shared), contact.start, contact.along):
                 blocked.append((low - clear, high + clear))
-    whole = outlines[p].union(band, grid_size=FINE_MM)
+    whole = together([outlines[p], band])
     deep = contact.strip(contact.span, (contact.tip, contact.notch + partition.thickness_mm))
-    blocked += _spans(deep.difference(whole, grid_size=FINE_MM), contact.start, contact.along)
+    blocked += _spans(without(deep, whole), contact.start, contact.along)
     # The slots of partners are no borders.
     slots = [other.opening(ends, 1e-3) for other, ends in taken.tabs if other in partners]
-    whole = shapely.union_all([outlines[w], *slots], grid_size=FINE_MM)
+    whole = together([outlines[w], *slots])
     free = whole.buffer(-carrier.thickness_mm, join_style="mitre")
     lane = contact.opening(contact.span, 0.0)
-    blocked += _spans(lane.difference(free, grid_size=FINE_MM), contact.origin, contact.way)
+    blocked += _spans(without(lane, free), contact.origin, contact.way)
     return _without(contact.span, blocked)
 
 

@@ -28,12 +28,10 @@ from .enclosed import enclosed
 from .errors import FabricationError
 from .frame import SNAP_MM, newell
 from .offsetting import moved_out
+from .overlays import together
 from .polyhedra import refit
 from .sides import face_sides
 from .walls import tidy
-
-#: Coordinates are multiples of this, mm: at slanted edges coarser ones would make plates overlap.
-FINE_MM = 1e-9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -179,7 +177,7 @@ def _walls(
         polygons[id_] = Polygon(rings[0], rings[1:])
         if not polygons[id_].is_valid:
             raise _crossing(id_, drawn=share == 0.0)
-    union = shapely.union_all(list(polygons.values()), grid_size=FINE_MM)
+    union = together(polygons.values())
     walls = []
     for part in shapely.get_parts(union):
         ids = [f for f in group if part.buffer(0.01).contains(polygons[f].representative_point())]

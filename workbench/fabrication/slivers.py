@@ -12,13 +12,14 @@ from __future__ import annotations
 
 import shapely
 
+from .overlays import without
+
 #: A slit is made wider than the beam by so much, mm.
 SLIT_SPARE_MM = 0.05
 #: Slivers are narrower than this part of the thickness, and than this, mm.
 SLIVER_SHARE, SLIVER_MM = 0.3, 1.0
 #: Corners sharper than about 6 degrees count as slivers or slits.
 _MITRE = 20.0
-_FINE_MM = 1e-9
 _LEAST_MM2 = 1e-3
 #: The mouth of a slit that was made wider may have become narrow.
 _ROUNDS = 4
@@ -45,14 +46,14 @@ def without_slivers(
         if not slits:
             break
         room = shapely.union_all(slits).buffer(1.05 * half, join_style="mitre")
-        outline = outline.difference(room, grid_size=_FINE_MM)
+        outline = without(outline, room)
     half = min(SLIVER_SHARE * thickness_mm, SLIVER_MM) / 2
     # Wider by a little: what the way there and back rounds is no sliver.
     kept = _there_and_back(outline, -half).buffer(1e-4, join_style="mitre", mitre_limit=_MITRE)
     slivers = _parts(outline.difference(kept), _LEAST_MM2)
     if slivers:
         lost = shapely.union_all(slivers).buffer(1e-4, join_style="mitre")
-        outline = outline.difference(lost, grid_size=_FINE_MM)
+        outline = without(outline, lost)
     return outline
 
 

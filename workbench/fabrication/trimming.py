@@ -18,9 +18,10 @@ from shapely.geometry import Polygon
 from ...solver.union_find import UnionFind
 from ...solver.values import Array
 from .errors import FabricationError
+from .overlays import without
 from .prisms import prism
 from .seams import Corner, Seams, edge_frame, find_corners
-from .slanted_walls import FINE_MM, SlantedWall
+from .slanted_walls import SlantedWall
 
 #: Plates may share so little, mm3: rounding.
 OVERLAP_MM3 = 1e-6
@@ -57,7 +58,7 @@ def pointed(
                 outside = _outside(walls[other], corners[0].point, reach)
                 shared = plate_body(walls[w], result[w]) ^ outside
                 if w != other and shared.volume() > OVERLAP_MM3:
-                    result[w] = result[w].difference(shadow_of(walls[w], shared), grid_size=FINE_MM)
+                    result[w] = without(result[w], shadow_of(walls[w], shared))
     return result
 
 
@@ -82,7 +83,7 @@ def on_its_side(
         wrong = body - drawn if side == "inside" else body ^ drawn
         if wrong.volume() > _LEAST_WRONG_MM3:
             lost = shadow_of(wall, wrong).buffer(_TOUCH_MM, join_style="mitre")
-            result[n] = result[n].difference(lost, grid_size=FINE_MM)
+            result[n] = without(result[n], lost)
     return result
 
 
@@ -137,7 +138,7 @@ def trimmed_at_openings(
             )
             shared = beyond ^ region
             if shared.volume() > OVERLAP_MM3:
-                result[n] = result[n].difference(shadow_of(walls[n], shared), grid_size=FINE_MM)
+                result[n] = without(result[n], shadow_of(walls[n], shared))
     return result
 
 
@@ -164,7 +165,7 @@ def trimmed(walls: Sequence[SlantedWall], outlines: Sequence[Polygon]) -> list[P
                     (*walls[low].face_ids, *walls[high].face_ids),
                     "thinner plates",
                 )
-            result[high] = result[high].difference(shadow, grid_size=FINE_MM)
+            result[high] = without(result[high], shadow)
             bodies[high] = plate_body(walls[high], result[high])
     return result
 

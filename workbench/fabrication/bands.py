@@ -133,8 +133,9 @@ def _outlines(
         slotted += whole[len(made) :]
         slotted = [a.difference(b) for a, b in zip(slotted, lost, strict=True)]
     outlines = without_pinholes(walls, trimmed(walls, outlines), slotted)
+    thinnest = min(wall.thickness_mm for wall in walls)
     cut = [
-        _whole(wall, without_slivers(outline, wall.thickness_mm, settings.beam_mm))
+        _whole(wall, without_slivers(outline, wall.thickness_mm, settings.beam_mm, thinnest))
         for wall, outline in zip(walls, outlines, strict=True)
     ]
     order = list(model.faces)

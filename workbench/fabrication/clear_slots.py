@@ -286,8 +286,12 @@ def _cost(
 
 
 def _slits_mm2(outline: Polygon) -> float:
-    """The area of gaps too narrow for a beam, and one more for each mouth that is."""
+    """The area of gaps too narrow for a beam, and one more for each mouth that is.
+
+    Of loose corners too, which a wall may still have.
+    """
     half = USUAL_BEAM_MM / 2
     closed = outline.buffer(half, join_style="mitre")
-    mouths = len(Polygon(outline.exterior).buffer(half, join_style="mitre").interiors)
+    filled = [Polygon(part.exterior) for part in shapely.get_parts(outline)]
+    mouths = sum(len(part.buffer(half, join_style="mitre").interiors) for part in filled)
     return float(closed.buffer(-half, join_style="mitre").area - outline.area) + mouths

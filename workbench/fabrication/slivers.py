@@ -5,7 +5,7 @@ Terms
 sliver
     Material much thinner than the plate, as it stays between two cuts that nearly meet.
 slit
-    A gap narrower than the beam.
+    A gap narrower than the beam. The slot for a thin plate is none.
 """
 
 from __future__ import annotations
@@ -21,12 +21,13 @@ SLIVER_SHARE, SLIVER_MM = 0.3, 1.0
 #: Corners sharper than about 6 degrees count as slivers or slits.
 _MITRE = 20.0
 _LEAST_MM2 = 1e-3
+_ROUNDING_MM = 1e-4
 #: The mouth of a slit that was made wider may have become narrow.
 _ROUNDS = 4
 
 
 def without_slivers(
-    outline: shapely.Geometry, thickness_mm: float, beam_mm: float
+    outline: shapely.Geometry, thickness_mm: float, beam_mm: float, thinnest_mm: float
 ) -> shapely.Geometry:
     """The outline less its slivers and what makes slits as wide as a beam.
 
@@ -34,13 +35,15 @@ def without_slivers(
     ----------
     outline : shapely Polygon or MultiPolygon
     thickness_mm, beam_mm : float
+    thinnest_mm : float
+        Of all plates: no slot is narrower.
 
     Returns
     -------
     shapely.Geometry
         Nothing is ever added, and all other borders stay to the last digit.
     """
-    half = (beam_mm + SLIT_SPARE_MM) / 2
+    half = min(beam_mm + SLIT_SPARE_MM, thinnest_mm - _ROUNDING_MM) / 2
     for _ in range(_ROUNDS):
         slits = _parts(_there_and_back(outline, half).difference(outline), half**2 / 4)
         if not slits:

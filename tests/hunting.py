@@ -315,10 +315,11 @@ def _of_body(model: Model, plates: tuple[Plate, ...], side: str) -> Iterator[str
         return
     for plate in plates:
         solid = body(plate)
-        wrong = solid - drawn if side == "inside" else solid ^ drawn
+        within = (solid ^ drawn).volume()
+        wrong = solid.volume() - within if side == "inside" else within
         # Corners are multiples of 1e-6 mm.
-        if wrong.volume() > max(1e-2, 1e-5 * solid.surface_area()):
-            yield f"{plate.id} lies on the wrong side of the faces with {wrong.volume():.3g} mm3"
+        if wrong > max(1e-2, 1e-5 * solid.surface_area()):
+            yield f"{plate.id} lies on the wrong side of the faces with {wrong:.3g} mm3"
 
 
 def _of_plate(plate: Plate, settings: PlateSettings) -> Iterator[str]:

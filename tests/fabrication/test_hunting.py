@@ -65,11 +65,18 @@ def test_a_vertex_around_which_no_wall_can_be_made_is_named():
         ("polycube", 8145),
         ("convex", 9328),
         ("house", 9319),
+        ("polycube", 8141),
+        ("polycube", 9318),
+        ("fan", 40003),
+        ("fan", 41101),
+        ("spire", 41046),
     ],
 )
 def test_plates_that_hunts_have_found(family, seed):
     """A leaning opening over right-angled walls, twice; a side of 4e-7 mm; a mouth of 0.05 mm;
-    a hole beside a tip that another plate's corner made; rings that touch themselves."""
+    a hole beside a tip that another plate's corner made; rings that touch themselves; slots near
+    borders that a second look can move, twice; a sliver narrower than the grid; slots for card; a
+    notch that ends in rounding."""
     assert outcome(family, seed, printed=False) == ("made", [])
 
 

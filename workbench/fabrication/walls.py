@@ -13,7 +13,7 @@ slab
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -32,6 +32,8 @@ GRID_MM = 1e-6
 _ONE_PLACE_MM = 1e-8
 #: Shorter sides come from rounding.
 _SPECK_MM = 1e-5
+#: A notch is made deeper by less than any machine can tell.
+_NOTCH_MM = 1e-3
 
 
 @dataclass(frozen=True, slots=True)
@@ -237,7 +239,10 @@ def without_specks(polygon: Polygon) -> Polygon:
 
 
 def _without_specks(ring: Array) -> Array:
-    """Of the two ends of such a side the one goes that looks outwards; material is on the left."""
+    """Of such a side that end goes that looks outwards; material is on the left.
+
+    Where both ends look inwards, the sides beside it are lengthened until they meet.
+    """
     while len(ring) > 3:
         ahead = np.concatenate((ring[1:], ring[:1])) - ring
         behind = np.concatenate((ahead[-1:], ahead[:-1]))
@@ -245,8 +250,26 @@ def _without_specks(ring: Array) -> Array:
         short = np.hypot(ahead[:, 0], ahead[:, 1]) < _SPECK_MM
         gone = convex & (short | np.concatenate((short[-1:], short[:-1])))
         if not gone.any():
-            break
+            return _without_notch_ends(ring, np.flatnonzero(short).tolist())
         ring = np.delete(ring, int(gone.argmax()), axis=0)
+    return ring
+
+
+def _without_notch_ends(ring: Array, short: Sequence[int]) -> Array:
+    """The ring whose short sides, at the ground of notches, have become points."""
+    for k in reversed(short):
+        a, b, c, d = (ring[(k + n) % len(ring)] for n in (-1, 0, 1, 2))
+        (x, y), (u, v) = b - a, c - d
+        across = x * v - y * u
+        if len(ring) == 3 or across == 0:
+            continue
+        # Counted from b, in lengths of the side before it.
+        further = ((c - b)[0] * v - (c - b)[1] * u) / across
+        meeting = b + further * (b - a)
+        if further >= 0 and np.abs(meeting - b).max() < _NOTCH_MM:
+            ring = ring.copy()
+            ring[k] = meeting
+            ring = np.delete(ring, (k + 1) % len(ring), axis=0)
     return ring
 
 

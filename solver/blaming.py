@@ -139,12 +139,18 @@ def relieving(
     """
     unit = drawn_diagonal(lifted.problem) ** 2 * max(whole.misfit, 1e-300)
     found = []
+    enough: dict[int, bool] = {}
     for relief in reliefs(graph, lifted.full, lifted.minimum.x):
+        freed = max(1, relief.freed)
+        if not enough.get(freed, True):
+            # The largest come first, and one that gained more at the same price was not enough.
+            continue
         goes = min(relief.gain / unit, 1.0)
-        n_free = whole.n_free + max(1, relief.freed)
+        n_free = whole.n_free + freed
         misfit = whole.misfit * (1 - goes)
         part = replace(whole, misfit=misfit, n_free=n_free, plausible=True, converged=True)
-        if (far and goes > WORTH_A_TRY) or contradicts(whole, part):
+        enough[freed] = (far and goes > WORTH_A_TRY) or contradicts(whole, part)
+        if enough[freed]:
             found.append((part.information, relief.id, goes))
     return [(id_, goes) for _, id_, goes in sorted(found)]
 

@@ -233,10 +233,13 @@ class _Relations:
         at, i, j = self.topology.right_angles.T
         axis, across = self.structure.edge_axis, self.structure.edge_across
         held = (axis[i] >= 0) & across[j, axis[i]] | (axis[j] >= 0) & across[i, axis[j]]
-        for k in np.flatnonzero(~held).tolist():
-            corner = [self._from(int(at[k]), int(edge[k])) for edge in (i, j)]
-            owner = self.topology.annotations[self.topology.right_angle_places[k]]
-            yield ("right_angle", corner[0] + corner[1], owner, _ONE)
+        left = np.flatnonzero(~held)
+        at, i, j = at[left], i[left], j[left]
+        # The other end of an edge is what its ends have beside this one.
+        both = self.topology.ends.sum(axis=1)
+        corners = np.column_stack([at, both[i] - at, at, both[j] - at]).tolist()
+        for k, corner in zip(self.topology.right_angle_places[left].tolist(), corners, strict=True):
+            yield ("right_angle", tuple(corner), self.topology.annotations[k], _ONE)
 
     def _from(self, vertex: int, edge: int) -> tuple[int, int]:
         v, w = self.topology.ends[edge].tolist()
@@ -320,27 +323,33 @@ def _planes_left_over(
 class _Planes:
     def __init__(self, graph: SketchGraph, topology: Topology, structure: Structure) -> None:
         self.vertices = topology.vertices
-        self.coordinate = structure.coordinate
-        self.pixels = graph.positions_px
+        # Loops are short: numbers by themselves are sooner looked at than arrays.
+        self.coordinate = structure.coordinate.tolist()
+        self.pixels = graph.positions_px.tolist()
 
     def of(self, owner: str, loop: tuple[str, ...], rest: list[str]) -> Iterator[_Item]:
         """Vertices in the plane of a loop, those left out that span it."""
         together = [self.vertices[v] for v in dict.fromkeys([*loop, *rest])]
-        shared = self.coordinate[together]
-        if len(loop) < 3 or bool((shared == shared[0]).all(axis=0).any()):
+        if len(loop) < 3 or self._share_one(together):
             return
         base = self._spanning_three([self.vertices[v] for v in loop])
         for i in together:
             if i not in base:
                 yield ("planarity", (*base, i), owner, _ONE)
 
+    def _share_one(self, together: list[int]) -> bool:
+        """Whether vertices have some coordinate in common, and with it lie in a plane."""
+        along_each = zip(*(self.coordinate[i] for i in together), strict=True)
+        return any(len(set(along)) == 1 for along in along_each)
+
     def _spanning_three(self, loop: list[int]) -> tuple[int, int, int]:
         """Three vertices far apart as drawn: drawn apart means apart in space too."""
-        offset = self.pixels[loop] - self.pixels[loop[0]]
-        b = int(np.argmax(np.linalg.norm(offset, axis=1)))
-        along = offset[b]
-        c = int(np.argmax(np.abs(along[0] * offset[:, 1] - along[1] * offset[:, 0])))
-        return (loop[0], loop[b], loop[c])
+        u0, v0 = self.pixels[loop[0]]
+        offset = {i: (self.pixels[i][0] - u0, self.pixels[i][1] - v0) for i in loop}
+        b = max(loop, key=lambda i: math.hypot(*offset[i]))
+        u, v = offset[b]
+        c = max(loop, key=lambda i: abs(u * offset[i][1] - v * offset[i][0]))
+        return (loop[0], b, c)
 
 
 def conditions_of(graph: SketchGraph, structure: Structure) -> int:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.linalg.lapack import dposv
+from scipy.linalg.lapack import dpotrf, dpotri
 
 from ..values import Array
 
@@ -14,8 +14,15 @@ SURELY_DEFINITE = 1e-11
 def safe_inverse(A: Array) -> Array | None:
     """The inverse of a symmetric matrix that surely is positive definite; None where in doubt."""
     scale = np.sqrt(np.maximum(A.ravel()[:: len(A) + 1], 1e-300))
-    _, inverse, failed = dposv(A / (scale[:, None] * scale), np.eye(len(A)))
-    # The largest eigenvalue of the inverse is no larger than its trace.
-    if failed or not float(inverse.trace()) < 1 / SURELY_DEFINITE:
+    both = scale[:, None] * scale
+    factor, failed = dpotrf(A / both, clean=1)
+    if failed:
         return None
-    return np.asarray(inverse / (scale[:, None] * scale))
+    half, _ = dpotri(factor)
+    diagonal = half.diagonal().copy()
+    # The largest eigenvalue of the inverse is no larger than its trace.
+    if not float(diagonal.sum()) < 1 / SURELY_DEFINITE:
+        return None
+    inverse = half + half.T
+    inverse.flat[:: len(A) + 1] = diagonal
+    return np.asarray(inverse / both)

@@ -346,6 +346,8 @@ def row_owners(graph: SketchGraph, full: FullProblem) -> list[tuple[str, ...]]:
     names, said = list(graph.vertices), topology_of(graph).by_kind
     first = next((id_ for id_, _ in said["length"]), None)
     ground = {id_: set(a.vertices) for id_, a in said["ground"]}
+    several = {id_ for kind in ("ground", "on_face", "length") for id_, _ in said[kind]}
+    alone = {id_: (id_,) for id_ in graph.annotations if id_ not in several}
 
     def asking(owner: str, item: Sequence[int]) -> tuple[str, ...]:
         if owner in ground:
@@ -362,6 +364,6 @@ def row_owners(graph: SketchGraph, full: FullProblem) -> list[tuple[str, ...]]:
     for block in full.problem.blocks:
         rows_each = 3 if block.energy == "parallel" else 1
         for owner, item in zip(block.owners, block.items.tolist(), strict=True):
-            owners += [asking(owner, item)] * rows_each
+            owners += [alone.get(owner) or asking(owner, item)] * rows_each
     diameters = full.problem.diameters
     return owners + [(*diameters.reference_owner, owner) for owner in diameters.owners]

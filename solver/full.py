@@ -18,6 +18,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .balances import balances_of
 from .energies import Linearised
 from .energies.circle import Support
 from .geometry import rotation
@@ -87,7 +88,9 @@ class FullProblem:
         self.m = problem.structure.n_coordinates
         self.n_vertices = len(problem.points)
         self.up = problem.up_in_cam
-        self.constrained = bool(problem.blocks) or len(problem.diameters) > 0
+        self.curved = bool(problem.blocks) or len(problem.diameters) > 0
+        self._balances = balances_of(problem.structure)
+        self.constrained = self.curved or len(self._balances) > 0
         self.vertices = Vertices(problem)
         self._axis_of = _axis_of(self.coordinate, self.m)
         self.circles = Circles(problem) if len(problem.circles) else None
@@ -205,6 +208,8 @@ class FullProblem:
         shift = np.zeros(4)
         shift[:3] = away @ R - middle @ x.R
         g = x.g + step[N_CAMERA:] + shift[self._axis_of]
+        if len(self._balances):
+            g = self._balances.held @ g
         size = math.sqrt(float(g @ g))
         if not 1e-12 < size < 1e12:
             return None
@@ -323,6 +328,10 @@ class FullProblem:
             h, by_g = self.problem.diameters.evaluate(x.g, self.coordinate)
             residuals.append(h)
             jacobians.append(np.hstack([np.zeros((len(h), N_CAMERA)), by_g]))
+        if len(self._balances):
+            rows = self._balances.rows
+            residuals.append(rows @ x.g)
+            jacobians.append(np.hstack([np.zeros((len(rows), N_CAMERA)), rows]))
         if len(residuals) == 1:
             return residuals[0], jacobians[0]
         return np.concatenate(residuals), np.vstack(jacobians)
@@ -337,7 +346,10 @@ class FullProblem:
 
     def restore(self, x: Pose) -> Pose:
         """Move the coordinates onto h = 0: dg = -H^T (H H^T)^+ h."""
-        if not self.constrained:
+        if len(self._balances):
+            g = self._balances.hold(x.g)
+            x = x if g is x.g else Pose(x.R, x.log_focal, g)
+        if not self.curved:
             return x
         h, H = self.constraints(x)
         worst = float(np.abs(h).max(initial=0.0))

@@ -21,11 +21,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from .balances import balances_of
 from .circles import tilted_views
 from .geometry import cross
 from .problem import Problem
 from .starting.drawn_lines import Agreement, DrawnLines, Pencils, drawn_lines, gathered, turns
-from .structure import balanced_rows
 from .values import Array, BoolArray
 
 #: Focal lengths in image units: from as wide as cameras are to drawings without any perspective.
@@ -393,7 +393,7 @@ def lift_linear(problem: Problem, R: Array, log_focal: float, pull: float) -> Ar
     along = np.broadcast_to(pull**2 * forward, coordinate.shape)
     b_vector = np.bincount(coordinate.ravel(), along.ravel(), m).astype(float)
     if len(problem.structure.balances):
-        L = BALANCE * balanced_rows(problem.structure)
+        L = BALANCE * balances_of(problem.structure).rows
         A += L.T @ L
     A[np.diag_indices(m)] += 1e-14
     g = np.asarray(np.linalg.solve(A, b_vector), dtype=np.float64)

@@ -72,7 +72,8 @@ class Evaluation:
 class Objective(Protocol[X]):
     """A problem to minimise."""
 
-    constrained: bool
+    #: Whether steps along the constraints leave them: those that are linear are never left.
+    curved: bool
 
     def evaluate(self, x: X) -> Evaluation:
         """The normal equations and the constraints."""
@@ -152,7 +153,7 @@ def _minimise(
     been: Callable[[X], bool] | None,
 ) -> Minimum[X]:
     iterations = 0
-    for rho in penalties if objective.constrained else ():
+    for rho in penalties if objective.curved else ():
         held = objective.restore(x) if _off(objective, x) < NEARLY_HELD else x
         if _off(objective, held) < HELD:
             x = held

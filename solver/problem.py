@@ -25,7 +25,7 @@ from .energies import ENERGIES, Linearised
 from .graph import SketchGraph
 from .named_faces import named_faces
 from .sizes import Diameters, proportional_diameters
-from .structure import Structure
+from .structure import Structure, common_axis
 from .topology import MAX_KEPT, Topology, topology_of
 from .values import Array, BoolArray, IntArray, kept
 
@@ -271,6 +271,10 @@ class _Relations:
             yield ("length_ratio", self._ends(first.edge) + self._ends(a.edge), id_, wanted)
 
     def symmetry(self, id_: str, a: SymmetryPlane) -> Iterator[_Item]:
+        edges = [self.topology.edges[e] for e in a.midpoints_of]
+        if common_axis(self.structure.edge_axis[edges]) is not None:
+            # `Structure.balances` say it.
+            return
         yield from self.parallels(id_, a.midpoints_of)
         for e in a.midpoints_of[1:]:
             yield ("symmetry", self._ends(a.midpoints_of[0]) + self._ends(e), id_, _ONE)
@@ -354,4 +358,5 @@ class _Planes:
 
 def conditions_of(graph: SketchGraph, structure: Structure) -> int:
     """How many conditions the shared coordinates still have to meet."""
-    return sum(len(block.items) for block in build_problem(graph, structure).blocks)
+    blocks = build_problem(graph, structure).blocks
+    return sum(len(block.items) for block in blocks) + len(structure.balances)

@@ -54,6 +54,8 @@ class Structure:
     balances : (b, 4) int array
         Coordinates i, j, k, l with g_i + g_j = g_k + g_l: the ends of two edges that run along an
         axis and cross the same plane of symmetry.
+    balance_owners : tuple of str
+        The annotation that asks for each.
     vertical : int or None
     has_axes : bool
         False where no two perpendicular classes are known; the axes are then arbitrary.
@@ -68,6 +70,7 @@ class Structure:
     radius: IntArray
     n_coordinates: int
     balances: IntArray
+    balance_owners: tuple[str, ...]
     vertical: int | None
     has_axes: bool
     contradiction: bool
@@ -129,6 +132,7 @@ def _share(
     edge_axis, edge_across, collapsed = _edges_by_coordinates(topology, coordinate)
     n_shared = int(coordinate.max()) + 1 if coordinate.size else 0
     clash = angles_clash(topology, directions, edge_axis, edge_across)
+    balances, balance_owners = _balances(topology, edge_axis, coordinate)
     return Structure(
         directions=directions,
         edge_axis=edge_axis,
@@ -136,7 +140,8 @@ def _share(
         coordinate=coordinate,
         radius=n_shared + np.arange(len(topology.circles)),
         n_coordinates=n_shared + len(topology.circles),
-        balances=_balances(topology, edge_axis, coordinate),
+        balances=balances,
+        balance_owners=balance_owners,
         vertical=vertical,
         has_axes=bool(axes),
         contradiction=directions.contradiction or collapsed or clash,
@@ -252,26 +257,27 @@ def _share_coordinates(
     return numbered(shared, 3 * n_points)[1].reshape(n_points, 3)
 
 
-def _balances(topology: Topology, edge_axis: IntArray, coordinate: IntArray) -> IntArray:
-    """What symmetry planes that are square to an axis say of coordinates."""
-    found = []
-    for _, a in topology.by_kind["symmetry_plane"]:
+def _balances(
+    topology: Topology, edge_axis: IntArray, coordinate: IntArray
+) -> tuple[IntArray, tuple[str, ...]]:
+    """What symmetry planes that are square to an axis say of coordinates, and which of them."""
+    found: list[tuple[int, ...]] = []
+    owners: list[str] = []
+    for id_, a in topology.by_kind["symmetry_plane"]:
         edges = [topology.edges[e] for e in a.midpoints_of]
-        k = int(edge_axis[edges[0]])
-        if k < 0 or (edge_axis[edges] != k).any():
+        k = common_axis(edge_axis[edges])
+        if k is None:
             continue
         first, *others = np.sort(coordinate[topology.ends[edges], k], axis=1).tolist()
         found += [(*first, *other) for other in others if other != first]
-    return np.array(found, dtype=np.int64).reshape(-1, 4)
+        owners += [id_] * (len(found) - len(owners))
+    return np.array(found, dtype=np.int64).reshape(-1, 4), tuple(owners)
 
 
-def balanced_rows(structure: Structure) -> Array:
-    """The same as rows that g makes 0, (b, g)."""
-    rows = np.zeros((len(structure.balances), structure.n_coordinates))
-    at = np.arange(len(rows))
-    for column, sign in zip(structure.balances.T, (1.0, 1.0, -1.0, -1.0), strict=True):
-        rows[at, column] += sign
-    return rows
+def common_axis(axes: IntArray) -> int | None:
+    """The axis along which all of some edges run, if there is one."""
+    first = int(axes[0])
+    return first if first >= 0 and bool((axes == first).all()) else None
 
 
 def _turned(topology: Topology) -> list[Revolution]:

@@ -28,6 +28,7 @@ def independent_structure(graph):
         coordinate=np.arange(3 * n).reshape(n, 3),
         n_coordinates=3 * n,
         balances=tied.balances[:0],
+        balance_owners=(),
         vertical=None,
         has_axes=False,
     )

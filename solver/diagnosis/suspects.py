@@ -186,6 +186,7 @@ def softened(graph: SketchGraph, problem: Problem) -> FullProblem:
         radius=n_free + np.arange(len(tied.radius)),
         n_coordinates=n_free + len(tied.radius),
         balances=tied.balances[:0],
+        balance_owners=(),
         # Circles know their normal by it.
         vertical=tied.vertical if len(tied.radius) else None,
         has_axes=False,
@@ -366,4 +367,5 @@ def row_owners(graph: SketchGraph, full: FullProblem) -> list[tuple[str, ...]]:
         for owner, item in zip(block.owners, block.items.tolist(), strict=True):
             owners += [alone.get(owner) or asking(owner, item)] * rows_each
     diameters = full.problem.diameters
-    return owners + [(*diameters.reference_owner, owner) for owner in diameters.owners]
+    owners += [(*diameters.reference_owner, owner) for owner in diameters.owners]
+    return owners + [(owner,) for owner in full.problem.structure.balance_owners]

@@ -67,7 +67,7 @@ class Sight:
     sigma: float
     known: Known | None = None
 
-    constrained = False
+    curved = False
 
     def residual(self, x: PlanePose) -> Array:
         """In standard errors, (2 n,), and one more where the focal length is known."""

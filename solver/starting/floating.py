@@ -19,9 +19,10 @@ from functools import lru_cache
 
 import numpy as np
 
+from ..balances import balances_of
 from ..effort import counting
 from ..problem import Problem
-from ..structure import Structure, balanced_rows
+from ..structure import Structure
 from ..topology import MAX_KEPT
 from ..values import Array, BoolArray, Stop
 
@@ -112,8 +113,7 @@ def n_floats(structure: Structure) -> int:
     rng = np.random.default_rng(1)
     g = rng.uniform(-1.0, 1.0, structure.n_coordinates) + 4.0
     if len(structure.balances):
-        L = balanced_rows(structure)
-        g -= np.linalg.lstsq(L, L @ g, rcond=None)[0]
+        g = balances_of(structure).hold(g)
     g[structure.radius] = 1.0
     squares = np.linalg.eigvalsh(_ray_form(structure, g)[: len(g), : len(g)])
     open_ = int(np.count_nonzero(squares < 1e-11 * max(float(squares[-1]), 1e-300)))
@@ -133,7 +133,7 @@ def _ray_form(structure: Structure, g: Array) -> Array:
     places = coordinate[:, :, None] * m + coordinate[:, None, :]
     A = np.bincount(places.ravel(), P.ravel(), m * m).astype(np.float64).reshape(m, m)
     if len(structure.balances):
-        L = balanced_rows(structure)
+        L = balances_of(structure).rows
         A += L.T @ L
     return np.asarray(A)
 

@@ -16,6 +16,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..balances import balances_of
 from ..geometry import cross
 from ..problem import build_problem
 from ..structure import build_structure
@@ -69,7 +70,8 @@ def _moves(photo: Photograph, vertex_rms: float, focal_known: bool) -> Array:
     J = _projection_jacobian(c @ R.T, focal, np.einsum("ij,njm->nim", R, dX))
     if focal_known:
         J[:, 3] = 0.0
-    H = np.zeros((0, 4 + m))
+    balanced = balances_of(problem.structure).rows
+    H = np.hstack([np.zeros((len(balanced), 4)), balanced])
     for block in problem.blocks:
         at = block.evaluate(c)
         rows = np.zeros((len(at.residual), 4 + m))

@@ -115,22 +115,24 @@ def lost_tabs(
     list of (Joint, str)
     """
     numbers = {wall.face_ids: n for n, wall in enumerate(walls)}
+    tabs: dict[tuple[int, ...], list[Piece]] = {}
+    for piece in pieces:
+        if piece.run_axis >= 0:
+            tabs.setdefault((*piece.rivals[:1], piece.owner), []).append(piece)
     lost = []
     for joint in joints:
         if joint.kind != "tab_slot" or joint.meeting.form != "T":
             continue
         one, two = (numbers[ids] for ids in (joint.meeting.one, joint.meeting.two))
-        if not any(_is_tab(piece, joint, one, two) for piece in pieces):
+        if not any(_lies_along(piece, joint) for piece in tabs.get((one, two), ())):
             least = walls[one].thickness_mm
             name = joint.meeting.one[0]
             lost.append((joint, f"slots would be less than {least:g} mm from a border of {name}"))
     return lost
 
 
-def _is_tab(piece: Piece, joint: Joint, one: int, two: int) -> bool:
+def _lies_along(piece: Piece, joint: Joint) -> bool:
     k, reach = piece.run_axis, joint.meeting.length_mm / 2
-    if k < 0 or piece.owner != two or piece.rivals[:1] != (one,):
-        return False
     middle = (piece.low_mm[k] + piece.high_mm[k]) / 2
     return abs(middle - joint.meeting.middle_mm[k]) < reach
 

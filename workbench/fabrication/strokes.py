@@ -8,9 +8,11 @@ glyph
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 
-from ...solver.values import Array
+from ...solver.values import Array, frozen_array
 
 _GLYPHS = {
     "A": "00 26 40|13 33",
@@ -90,9 +92,17 @@ def text_strokes(text: str, at_mm: tuple[float, float], height_mm: float) -> lis
     scale = height_mm / _HEIGHT
     strokes = []
     for n, letter in enumerate(text.upper()):
-        for stroke in _GLYPHS.get(letter, _GLYPHS["?"]).split("|"):
-            points = np.array([[int(p[0]), int(p[1])] for p in stroke.split()], dtype=float)
-            if len(points):
-                points[:, 0] += n * _ADVANCE
-                strokes.append(np.round(points * scale + at_mm, 6))
+        start = np.array([n * _ADVANCE, 0.0])
+        strokes += [np.round((points + start) * scale + at_mm, 6) for points in _glyph(letter)]
     return strokes
+
+
+@cache
+def _glyph(letter: str) -> tuple[Array, ...]:
+    """The strokes of a letter at the origin, in its own units."""
+    strokes = _GLYPHS.get(letter, _GLYPHS["?"]).split("|")
+    return tuple(
+        frozen_array([[int(p[0]), int(p[1])] for p in stroke.split()], (-1, 2))
+        for stroke in strokes
+        if stroke
+    )

@@ -110,6 +110,37 @@ def test_the_coupon_has_a_notch_for_each_play():
     )
 
 
+@pytest.mark.parametrize(
+    "settings",
+    [
+        PlateSettings(play_mm=0.1, kerf_mm=0.2, thickness_mm=4.0),
+        PlateSettings(thickness_mm=18.0, finger_mm=40.0, relief="dogbone", tool_mm=6.0),
+    ],
+)
+def test_the_coupon_has_a_slot_for_each_play(settings):
+    comb, _ = coupon(settings)
+    sizes = sorted(np.ptp(hole, axis=0).tolist() for hole in comb.holes)
+    wanted = [settings.thickness_mm + play for play in coupon_plays(settings)]
+    np.testing.assert_allclose([high for _, high in sizes], wanted, atol=1e-9)
+    borders = shapely.LinearRing(comb.outline)
+    gaps = [borders.distance(shapely.LinearRing(hole)) for hole in comb.holes]
+    assert min(gaps) >= settings.thickness_mm - 1e-9
+    (sheet,) = coupon_sheets(settings)
+    if settings.relief == "none":  # its path is narrower by the kerf
+        path = next(part for part in sheet.parts if part.plate_id == "notches")
+        cut = sorted(np.ptp(ring, axis=0).tolist() for ring in path.inner)
+        np.testing.assert_allclose(cut, np.array(sizes) - settings.kerf_mm, atol=1e-6)
+
+
+def test_the_coupon_has_no_slot_that_cannot_be_cut():
+    card = PlateSettings(thickness_mm=0.3, kerf_mm=0.25)
+    assert len(coupon(card)[0].holes) == 2
+    routed = PlateSettings(thickness_mm=3.0, relief="tbone", tool_mm=3.0)
+    assert len(coupon(routed)[0].holes) == 1
+    assert coupon_sheets(card)
+    assert coupon_sheets(routed)
+
+
 def test_the_coupon_lies_on_one_small_sheet():
     (sheet,) = coupon_sheets(PlateSettings(kerf_mm=0.2, sheet_mm=(600.0, 400.0)))
     assert len(sheet.parts) == 2

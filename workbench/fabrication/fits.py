@@ -3,8 +3,9 @@
 Terms
 -----
 coupon
-    A comb of notches, each with its own play engraved beside it, and a piece with one tab as wide
-    as a finger. The notch in which the tab sits well says which play to set.
+    A comb of notches, each over a slot, with its own play engraved below, and a piece with one tab
+    as wide as a finger. The notch and the slot in which the tab sits well say which play to set:
+    a notch tries the width of fingers, a slot the thickness of the stock too.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from dataclasses import replace
 
 import numpy as np
 from shapely.geometry import Polygon, box
+from shapely.geometry.polygon import orient
 
 from ...solver.values import Array
 from .finger_joints import least_finger_mm
@@ -23,9 +25,12 @@ from .strokes import text_strokes, text_width_mm
 
 #: Plays on the coupon, as differences from the setting, mm.
 COUPON_STEPS_MM = (-0.1, -0.05, 0.0, 0.05, 0.1)
-#: Of the pieces, and what must be left of them below a notch.
-_BAR_MM, _REST_MM = 14.0, 8.0
-_TEXT_MM = 3.0
+#: Height of the piece with the tab without it.
+_BAR_MM = 14.0
+#: Of letters, and what is clear around them.
+_TEXT_MM, _CLEAR_MM = 3.0, 2.0
+#: A slot is wider than the beam or cutter by this.
+_SPARE_MM = 0.05
 
 
 def effects(settings: PlateSettings) -> tuple[str, ...]:
@@ -85,22 +90,31 @@ def coupon(settings: PlateSettings) -> tuple[Plate, ...]:
     )
     step = 2 * width
     length = step * len(COUPON_STEPS_MM) + width
-    bar = _bar_mm(thickness)
-    notched = box(0.0, 0.0, length, bar)
+    slot, ground = _heights(settings)
+    notched = box(0.0, 0.0, length, ground + thickness)
     # One tab alone: a row of them would go into no notch but with all the others.
-    tab = box(width, bar, 2 * width, bar + thickness)
-    tabbed = box(0.0, 0.0, 3 * width, bar).union(tab)
+    tab = box(width, _BAR_MM, 2 * width, _BAR_MM + thickness)
+    tabbed = box(0.0, 0.0, 3 * width, _BAR_MM).union(tab)
     for n, play in enumerate(coupon_plays(settings)):
         left = width + n * step
         # A finger and its notch share the play as the plates' own do; a slot has all of it.
-        notched = notched.difference(
-            box(left - play / 2, bar - thickness, left + width + play / 2, bar + 1)
-        )
+        low, high = left - play / 2, left + width + play / 2
+        notched = notched.difference(box(low, ground, high, ground + thickness + 1))
+        if thickness + play > max(settings.kerf_mm, _cutter_mm(settings)) + _SPARE_MM:
+            notched = notched.difference(box(low, slot, high, slot + thickness + play))
     return _flat("notches", notched, thickness), _flat("tab", tabbed, thickness)
 
 
-def _bar_mm(thickness: float) -> float:
-    return max(_BAR_MM, thickness + _REST_MM)
+def _heights(settings: PlateSettings) -> tuple[float, float]:
+    """Where slots begin, and the ground of notches, in the comb: one thickness from borders."""
+    thickness, relief = settings.thickness_mm, _cutter_mm(settings) / 2
+    slot = max(_TEXT_MM + 2 * _CLEAR_MM, thickness) + relief
+    top = slot + thickness + coupon_plays(settings)[-1]
+    return slot, top + max(thickness, _CLEAR_MM) + 2 * relief
+
+
+def _cutter_mm(settings: PlateSettings) -> float:
+    return settings.tool_mm if settings.relief != "none" else 0.0
 
 
 def coupon_plays(settings: PlateSettings) -> tuple[float, ...]:
@@ -111,12 +125,12 @@ def coupon_plays(settings: PlateSettings) -> tuple[float, ...]:
 def coupon_marks(settings: PlateSettings) -> list[Array]:
     """The plays as strokes below the notches, in the first comb's frame."""
     strokes = []
-    plate, bar = coupon(settings)[0], _bar_mm(settings.thickness_mm)
-    corners = plate.outline[np.isclose(plate.outline[:, 1], bar - settings.thickness_mm)]
+    plate, (_, ground) = coupon(settings)[0], _heights(settings)
+    corners = plate.outline[np.isclose(plate.outline[:, 1], ground)]
     middles = np.sort(corners[:, 0]).reshape(-1, 2).mean(axis=1)
     for middle, play in zip(middles, coupon_plays(settings), strict=True):
         text = f"{play:+.2f}"
-        low = (float(middle) - text_width_mm(text, _TEXT_MM) / 2, 2.0)
+        low = (float(middle) - text_width_mm(text, _TEXT_MM) / 2, _CLEAR_MM)
         strokes += text_strokes(text, low, _TEXT_MM)
     return strokes
 
@@ -136,7 +150,6 @@ def coupon_sheets(settings: PlateSettings) -> tuple[Sheet, ...]:
 
 
 def _flat(id_: str, polygon: Polygon, thickness: float) -> Plate:
-    outline = np.array(polygon.exterior.coords)[:-1]
-    if not polygon.exterior.is_ccw:
-        outline = outline[::-1]
-    return Plate(id_, (id_,), thickness, outline, (), np.eye(4))
+    turned = orient(polygon)
+    outline, *holes = (np.array(r.coords)[:-1] for r in (turned.exterior, *turned.interiors))
+    return Plate(id_, (id_,), thickness, outline, tuple(holes), np.eye(4))

@@ -80,12 +80,13 @@ class _Lines:
 
     def sines(self, R: Array, log_focal: float) -> Array:
         """Of the angle between each line's plane and each axis, (m, 3)."""
-        return np.asarray(self.normals(log_focal) @ R)
+        return np.asarray(self.normals(np.array([log_focal]))[0] @ R)
 
-    def normals(self, log_focal: float) -> Array:
-        f = np.exp(log_focal)
-        N = self.lines * np.array([f, f, 1.0])
-        return np.asarray(N / np.maximum(np.linalg.norm(N, axis=1), 1e-300)[:, None])
+    def normals(self, log_focals: Array) -> Array:
+        """Of the lines' planes in the frames of k cameras, (k, m, 3)."""
+        N = np.repeat(self.lines[None], len(log_focals), axis=0)
+        N[..., :2] *= np.exp(log_focals)[:, None, None]
+        return np.asarray(N / np.maximum(np.linalg.norm(N, axis=2), 1e-300)[..., None])
 
 
 def _drawn_lines(problem: Problem) -> _Lines:
@@ -102,49 +103,48 @@ def _views(drawn: _Lines, known: float | None) -> list[tuple[Array, float]]:
     """Cameras in which most of what is drawn runs along the axes, best first."""
     scored = []
     for log_focal in FOCAL_GUESSES if known is None else (known,):
-        sines = np.einsum("mi,vik->vmk", drawn.normals(log_focal), VIEWS)
-        least = np.abs(sines).min(axis=2) / COARSE
-        costs = np.minimum(least**2, 1.0) @ drawn.lengths
+        N = drawn.normals(np.array([log_focal]))[0] / COARSE
+        least = np.minimum.reduce([np.abs(N @ VIEWS[..., k].T) for k in range(3)])
+        costs = drawn.lengths @ np.minimum(least**2, 1.0)
         scored += [(float(costs[i]), i, log_focal) for i in np.argsort(costs)[:MAX_VIEWS].tolist()]
-    found = [
-        _refined(drawn, VIEWS[i], log_focal, known)
-        for _, i, log_focal in sorted(scored)[:MAX_VIEWS]
-    ]
-    return [(R, log_focal) for _, R, log_focal in sorted(found, key=lambda f: f[0])]
+    best = sorted(scored)[:MAX_VIEWS]
+    R, log_focals = VIEWS[[i for _, i, _ in best]], np.array([f for _, _, f in best])
+    return _refined(drawn, R, log_focals, known)
 
 
 def _refined(
-    drawn: _Lines, R: Array, log_focal: float, known: float | None
-) -> tuple[float, Array, float]:
-    """Iteratively reweighted least squares: lines along no axis lose their say."""
+    drawn: _Lines, R: Array, log_focals: Array, known: float | None
+) -> list[tuple[Array, float]]:
+    """Iteratively reweighted least squares: lines along no axis lose their say. All at once."""
+    # Careless lines say "from afar": what is usual has a say.
+    expected = float(drawn.lengths.sum()) * (USUAL_LEAN / USUAL_SIGMA) ** 2
+    usual = USUAL_LOG_FOCAL if known is None else known
     for width in np.geomspace(COARSE, FINE, REFINEMENTS):
-        sines = drawn.sines(R, log_focal)
-        axis = np.argmin(np.abs(sines), axis=1)
-        r = sines[np.arange(len(axis)), axis]
-        weight = drawn.lengths / (1 + (r / width) ** 2) ** 2
-        J = _derivatives(drawn, R, log_focal, axis)
+        N = drawn.normals(log_focals)
+        sines = N @ R
+        axis = np.abs(sines).argmin(axis=2)
+        r = np.take_along_axis(sines, axis[..., None], axis=2)
+        J = _derivatives(N, np.take_along_axis(R.swapaxes(1, 2), axis[..., None], axis=1))
         if known is not None:
-            J[:, 3] = 0.0
-        A = (J.T * weight) @ J
-        b = J.T @ (weight * r)
-        # Careless lines say "from afar": what is usual has a say.
-        expected = float(drawn.lengths.sum()) * (USUAL_LEAN / USUAL_SIGMA) ** 2
-        A[3, 3] += expected
-        b[3] += expected * (log_focal - (USUAL_LOG_FOCAL if known is None else known))
-        A[np.diag_indices(4)] += 1e-4 * float(np.trace(A)) + 1e-300
-        step = -np.linalg.solve(A, b)
-        R = Rotation.from_rotvec(step[:3]).as_matrix() @ R
-        log_focal = float(np.clip(log_focal + np.clip(step[3], -0.3, 0.3), *LOG_FOCAL_RANGE))
-    least = np.abs(drawn.sines(R, log_focal)).min(axis=1) / FINE
-    return float(np.minimum(least**2, 1.0) @ drawn.lengths), R, log_focal
+            J[..., 3] = 0.0
+        weighed = (J * (drawn.lengths[:, None] / (1 + (r / width) ** 2) ** 2)).swapaxes(1, 2)
+        A, b = weighed @ J, weighed @ r
+        A[:, 3, 3] += expected
+        b[:, 3, 0] += expected * (log_focals - usual)
+        A += (1e-4 * np.trace(A, axis1=1, axis2=2) + 1e-300)[:, None, None] * np.eye(4)
+        step = -np.linalg.solve(A, b)[..., 0]
+        R = Rotation.from_rotvec(step[:, :3]).as_matrix() @ R
+        log_focals = np.clip(log_focals + np.clip(step[:, 3], -0.3, 0.3), *LOG_FOCAL_RANGE)
+    least = np.abs(drawn.normals(log_focals) @ R).min(axis=2) / FINE
+    order = np.argsort(np.minimum(least**2, 1.0) @ drawn.lengths, kind="stable")
+    return [(R[k], float(log_focals[k])) for k in order.tolist()]
 
 
-def _derivatives(drawn: _Lines, R: Array, log_focal: float, axis: IntArray) -> Array:
-    """Of each line's sine to its axis, by a turn and the log focal length, (m, 4)."""
-    N, D = drawn.normals(log_focal), R[:, axis].T
+def _derivatives(N: Array, D: Array) -> Array:
+    """Of each line's sine to its axis D (k, m, 3), by a turn and the log focal length."""
     by_focal = N * np.array([1.0, 1.0, 0.0])
-    by_focal -= N * np.einsum("mi,mi->m", N, by_focal)[:, None]
-    return np.column_stack([cross(D, N), np.einsum("mi,mi->m", by_focal, D)])
+    by_focal -= N * np.einsum("kmi,kmi->km", N, by_focal)[..., None]
+    return np.concatenate([cross(D, N), (by_focal * D).sum(axis=2, keepdims=True)], axis=2)
 
 
 def _axes(drawn: _Lines, problem: Problem, R: Array, log_focal: float) -> IntArray:

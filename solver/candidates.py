@@ -16,6 +16,7 @@ import numpy as np
 
 from .diagnosis import KnownShape, Reading, pose_near, spring_stiffness
 from .full import FullProblem, Pose
+from .geometry import diagonal
 from .graph import SketchGraph
 from .least_squares import Minimum, minimise
 from .problem import Problem, build_problem
@@ -100,8 +101,7 @@ def drawn_diagonal(problem: Problem) -> float:
     if len(problem.circles):
         centres, semi = problem.circles.centres[:, None], problem.circles.semi_axes
         drawn = np.vstack([drawn, (centres + semi).reshape(-1, 2), (centres - semi).reshape(-1, 2)])
-    width, height = (drawn.max(axis=0) - drawn.min(axis=0)).tolist()
-    return max(math.hypot(width, height), 1e-6)
+    return max(diagonal(drawn), 1e-6)
 
 
 def lift_near(graph: SketchGraph, near: KnownShape, stop: Stop) -> Near | None:

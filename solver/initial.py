@@ -142,11 +142,11 @@ def _from_lines(problem: Problem, lines: _Lines) -> list[Start]:
         at_each = _views_at(pencils, (*likely, *FOCAL_GUESSES))
         return [start for pair in zip(*at_each, strict=False) for start in pair]
     candidates = [] if told is None else [(told.R, told.log_focal)]
-    candidates += _from_mean_directions(problem)
     good, fair = (limit**2 * pencils.total for limit in (GOOD_MISFIT, FAIR_MISFIT))
     if told is not None and told.misfit <= fair and len(drawn) > MANY_LINES:
         found = [told]
     else:
+        candidates += _from_mean_directions(problem)
         few = FEW_REFINEMENTS if len(drawn) > MANY_LINES else REFINEMENTS
         found = _refine_all(pencils, candidates, fixed, few)
         if not found or found[0].misfit > good:
@@ -347,19 +347,21 @@ def _apart(best: NDArray[np.int64]) -> list[int]:
     """Of the best views, at most four that differ by more than about 25 degrees."""
     alike = _alike()
     kept: list[int] = []
+    near: set[int] = set()
     for i in best.tolist():
-        if not alike[i, kept].any():
+        if i not in near:
             kept.append(i)
+            near |= alike[i]
         if len(kept) == 4:
             break
     return kept
 
 
 @lru_cache(maxsize=1)
-def _alike() -> BoolArray:
-    """Which of the fixed views are within about 25 degrees of each other, up to axes' signs."""
+def _alike() -> list[frozenset[int]]:
+    """Of each fixed view those within about 25 degrees of it, up to the axes' signs."""
     cosines = np.abs(np.einsum("aij,bij->abj", VIEWS, VIEWS))
-    return np.asarray(cosines.min(axis=2) > 0.9)
+    return [frozenset(np.flatnonzero(row).tolist()) for row in cosines.min(axis=2) > 0.9]
 
 
 def _fixed_views() -> Array:

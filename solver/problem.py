@@ -22,6 +22,7 @@ from .annotations import Angle, EqualLength, SymmetryPlane
 from .camera import Camera
 from .circles import DrawnCircles, drawn_circles
 from .energies import ENERGIES, Linearised
+from .geometry import diagonal
 from .graph import SketchGraph
 from .named_faces import named_faces
 from .sizes import Diameters, proportional_diameters
@@ -168,9 +169,8 @@ def _weights(graph: SketchGraph) -> tuple[Array, float]:
     imagined = {v for id_, ends in graph.edges.items() if id_ not in traced for v in ends}
     if not imagined and all(c in traced for c in graph.circles):
         return np.ones(len(graph.vertices)), 1.0
-    diagonal = float(np.linalg.norm(np.ptp(pixels, axis=0))) if len(pixels) else 0.0
     leaning = np.sqrt(max(1.0, len(imagined) / MANY_IMAGINED))
-    ratio = max(1.0, float(leaning) * IMAGINED_SIGMA * diagonal / TRACED_SIGMA_PX)
+    ratio = max(1.0, float(leaning) * IMAGINED_SIGMA * diagonal(pixels) / TRACED_SIGMA_PX)
     weights = [ratio if v in real - imagined else 1.0 for v in graph.vertices]
     return np.array(weights), ratio
 

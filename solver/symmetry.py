@@ -19,6 +19,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from .annotations import SymmetryPlane
+from .geometry import diagonal
 from .graph import COPY_SIGN, Face, SketchGraph
 from .reading.parsing import MAX_EDGES
 from .topology import topology_of
@@ -162,7 +163,7 @@ def _partners(
     names = list(vertices)
     X = np.array([vertices[v] for v in names])
     images = X - 2 * ((X - point) @ normal)[:, None] * normal
-    reach = PARTNER_TOLERANCE * float(np.linalg.norm(np.ptp(X, axis=0)))
+    reach = PARTNER_TOLERANCE * diagonal(X)
     distances, nearest = cKDTree(X).query(images)
     partner: dict[str, str] = {}
     copies: dict[str, Array] = {}

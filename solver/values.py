@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import lru_cache, wraps
+from operator import is_
 from typing import Any, NoReturn, TypeVar
 
 import numpy as np
@@ -135,11 +136,23 @@ def kept(make: Callable[..., V]) -> Callable[..., V]:
     def result(same: _Same) -> V:
         return make(*same.values)
 
+    last: tuple[tuple[Any, ...], V] | None = None
+
     @wraps(make)
     def keeping(*values: Any) -> V:
-        return result(_Same(values))
+        nonlocal last
+        # Mostly the last values are asked for again: that is seen at once.
+        same = last
+        if same is None or len(same[0]) != len(values) or not all(map(is_, same[0], values)):
+            same = last = (values, result(_Same(values)))
+        return same[1]
 
-    forget_by(result.cache_clear)
+    def forget() -> None:
+        nonlocal last
+        last = None
+        result.cache_clear()
+
+    forget_by(forget)
     return keeping
 
 

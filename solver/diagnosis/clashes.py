@@ -18,7 +18,7 @@ from ..annotations import Annotation, Diameter, EqualLength, Length, targets_of
 from ..effort import asking, questions_within_reason
 from ..graph import SketchGraph
 from ..structure import build_structure
-from ..values import Stop
+from ..values import Stop, frozen_mapping, kept
 from .same_sizes import sizes_clash
 
 #: How often it may be asked whether some annotations agree, to find the culprits.
@@ -187,5 +187,10 @@ class _Search:
 
 def without(graph: SketchGraph, *ids: str) -> SketchGraph:
     """The graph with annotations taken away."""
-    kept = {id_: a for id_, a in graph.annotations.items() if id_ not in ids}
-    return replace(graph, annotations=kept)
+    return replace(graph, annotations=_fewer(graph.annotations, ids)) if ids else graph
+
+
+@kept
+def _fewer(annotations: Mapping[str, Annotation], ids: tuple[str, ...]) -> Mapping[str, Annotation]:
+    """The same ones for the same annotations: a person drags, and nothing is reasoned out anew."""
+    return frozen_mapping({id_: a for id_, a in annotations.items() if id_ not in ids})

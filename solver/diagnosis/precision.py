@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..full import DRAWING_SIGMA, FullProblem, Pose
+from ..geometry import diagonal
 from ..projection import N_CAMERA
 from ..values import Array, IntArray
 from .definite import safe_inverse
@@ -81,7 +82,7 @@ def standard_errors(full: FullProblem, x: Pose) -> StandardErrors:
         n_free = N.shape[1]
         spread, cofactor = _spread_on_constraints(full, x, at.A, N)
     points = np.vstack([full.problem.points, full.problem.circles.centres])
-    usual = (USUAL_SIGMA * float(np.linalg.norm(np.ptp(points, axis=0)))) ** 2 / 2
+    usual = (USUAL_SIGMA * diagonal(points)) ** 2 / 2
     spare = max(0, 2 * full.n_vertices - n_free + 1)
     misfit = full.merit(x, 0.0)
     variance = (USUAL_COUNT * usual + misfit) / (USUAL_COUNT + spare)

@@ -21,6 +21,7 @@ import numpy as np
 
 from ..annotations import Length, OnFace, Parallel, RightAngle, SymmetryPlane
 from ..full import EXIF_LOG_SIGMA, FocalPrior, FullProblem, Pose
+from ..geometry import diagonal
 from ..graph import SketchGraph
 from ..initial import USUAL_LOG_FOCAL, lift_linear, starts
 from ..least_squares import Evaluation
@@ -168,8 +169,8 @@ def leftover_suspects(graph: SketchGraph, full: FullProblem, pose: Pose) -> list
 
 def spring_stiffness(problem: Problem) -> float:
     """The weight of a spring's square against a square in the image."""
-    spread = np.ptp(np.vstack([problem.points, problem.circles.centres]), axis=0)
-    drawn = HAND_SIGMA * max(float(np.linalg.norm(spread)), 1e-6) / np.sqrt(2)
+    extent = diagonal(np.vstack([problem.points, problem.circles.centres]))
+    drawn = HAND_SIGMA * max(extent, 1e-6) / np.sqrt(2)
     return float((drawn / SPRING_SIGMA) ** 2)
 
 

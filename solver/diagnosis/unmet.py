@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-import numpy as np
-
+from ..geometry import diagonal
 from ..solution import Residual, Residuals
 from ..values import Array
 
@@ -29,4 +28,4 @@ def unmet_annotations(residuals: Mapping[str, Residual], size_mm: float) -> tupl
 
 def size_of(X: Array) -> float:
     """The object's size: the diagonal of its bounding box, mm."""
-    return float(np.linalg.norm(np.ptp(X, axis=0))) if len(X) else 0.0
+    return diagonal(X)

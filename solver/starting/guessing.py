@@ -20,7 +20,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from ..annotations import Annotation, Parallel, RightAngle
-from ..geometry import cross
+from ..geometry import cross, diagonal
 from ..graph import SketchGraph
 from ..ids import fresh_id
 from ..initial import FOCAL_GUESSES, LOG_FOCAL_RANGE, USUAL_LOG_FOCAL, VIEWS
@@ -93,8 +93,7 @@ def _drawn_lines(problem: Problem) -> _Lines:
     p, q = (problem.points[problem.ends[:, k]] for k in (0, 1))
     ones = np.ones((len(p), 1))
     lengths = np.linalg.norm(q - p, axis=1)
-    diagonal = float(np.linalg.norm(np.ptp(problem.points, axis=0)))
-    stray = STRAY * diagonal / np.maximum(lengths, 1e-300)
+    stray = STRAY * diagonal(problem.points) / np.maximum(lengths, 1e-300)
     lines = cross(np.hstack([p, ones]), np.hstack([q, ones]))
     return _Lines(lines, lengths, np.minimum(LEAN + stray, MOST_LEAN))
 

@@ -1,8 +1,8 @@
 """What is expected of the focal length where nobody tells it.
 
-A person's errors are not independent: a direction drawn towards a wrong vanishing point takes all
-its edges along, and the full step then blames the camera. What the drawing says of the focal length
-is trusted as far as its own misfit allows, and no further; an exact drawing is trusted wholly.
+What the drawing says of the focal length is trusted as far as its own misfit allows, taken for the
+noise of each drawn number, and no further; an exact drawing is trusted wholly. Where errors go
+together, as people's do, that misfit says too little of them: `leaning` looks for these.
 """
 
 from __future__ import annotations
@@ -17,10 +17,6 @@ from ..initial import USUAL_LOG_FOCAL
 #: Half the way from a phone's main camera to its twofold zoom.
 USUAL_SIGMA = 0.35
 USUAL = FocalPrior(USUAL_LOG_FOCAL, USUAL_SIGMA)
-#: The misfit shows what part of the squared errors is not consistent with any shape: for leaning
-#: drawings about a third. And however many vertices lean together, they tell no more than so many.
-HIDDEN = 3.0
-LEANING_TOGETHER = 8
 
 
 def spare_observations(full: FullProblem, x: Pose) -> int:
@@ -43,9 +39,7 @@ def usual_prior(full: FullProblem, x: Pose, spare: int | None = None) -> FocalPr
         Of `spare_observations`, where it is known.
     """
     spare = spare_observations(full, x) if spare is None else spare
-    variance = full.misfit(x) / max(1, spare)
-    points = full.n_vertices + len(full.problem.circles)
-    error = math.sqrt(HIDDEN * max(1.0, points / LEANING_TOGETHER) * variance)
+    error = math.sqrt(full.misfit(x) / max(1, spare))
     if error < 1e-9:
         return None
     return FocalPrior(USUAL_LOG_FOCAL, USUAL_SIGMA * DRAWING_SIGMA / error)

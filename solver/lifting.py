@@ -285,8 +285,6 @@ def _best(
         for begun in () if pose is None else _with_floats(problem, pose, stop):
             pursuit = _Pursuit(carry_on, TRIAL_ENOUGH, TRIAL_ITERATIONS, least)
             tried.append(seen(pursuit.of(begin(begun))))
-            if wary and len(tried) == 1 and is_doubtful(graph, tried[0]):
-                return replace(tried[0], doubtful=True)
             if tried[-1].minimum.converged:
                 known.append(full.shape(tried[-1].minimum.x))
                 known_from.append(tried[-1].minimum.x)
@@ -295,6 +293,10 @@ def _best(
                 least = min(least, tried[-1].minimum.cost)
             if _is_exact(tried[-1]):
                 break
+        if wary and tried:
+            if all(is_doubtful(graph, t) for t in tried):
+                return replace(_preferred(graph, tried)[0], doubtful=True)
+            wary = False
         if tried and (_is_exact(tried[-1]) or (stop is not None and stop())):
             break
         if len(tried) > AGREEING and all(t.minimum.cost == np.inf for t in tried[-AGREEING:]):

@@ -1,46 +1,46 @@
-"""Lens distortion, told by lines on straight things that bend in the photo, and taken out of it.
+"""Lens distortion, told by lines on straight things that bend in the photo.
 
 Terms
 -----
 bend
     How far the middle of a line is from between its ends, px.
 k
-    Radial distortion: what is seen at r from the principal point belongs at r (1 + k r^2), r in
-    half diagonals of the photo; negative for pincushions, positive for barrels.
+    Radial distortion, see `radial`.
+to tell
+    A line tells the k with which it is straight, and that k's standard error.
 
 The plumb-line method (D. C. Brown, Close-range camera calibration, 1971): that k is sought with
-which all lines are straight.
+which lines are straight. Lines are those that are drawn, as the photo shows them, and the photo's
+own long edges. Some are bent themselves, or found beside: that k counts with which most agree.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
-from itertools import pairwise
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
-from scipy.ndimage import map_coordinates
 
-from ..solver.graph import Ellipse, SketchGraph
+from ..solver.graph import SketchGraph
 from ..solver.values import Array
-from .photo_lines import found_line
+from .long_edges import long_edges
+from .plumb_lines import followed
+from .radial import MOST_K, Radial
 
-#: A line is looked for in so many pieces, at least so long, px.
-_PIECES, _LEAST_PIECE_PX = 6, 24.0
-#: So many points make a line, and so many lines tell k.
-_LEAST_POINTS = 24
-#: How far from the drawn line a bent one is looked for, in parts of the photo's longer side.
-_REACH = 0.012
+#: How far from the drawn line it is looked for, in parts of the photo's longer side, and px.
+_REACH, _LEAST_REACH_PX = 0.012, 4.0
+#: The photo's own edges are looked for so near to where they were seen, px.
+_OWN_REACH_PX = 3.0
+#: Edges as near to another one as this are the same, px.
+_SAME_PX = 8.0
+#: No thing, and no photo of one, is straighter than this, px.
+_CROOKED_PX = 0.25
+#: Lines agree within so many standard errors.
+_AGREED = 3.0
 #: A k that is so many standard errors from 0, and bends a line by so much, is a lens's.
 _SIGNIFICANT, _LEAST_BEND_PX = 4.0, 1.0
-#: A line of which more of the bend than this is left by the lens that all tell is bent itself.
-_LEFT = 0.3
 #: Neighbouring points see the same pixels: about every third tells something new.
 _ALIKE = 3.0
-#: No usual lens bends more: beyond, the inverse would fold over.
-_MOST = 0.3
-#: Rows that are straightened at a time.
-_STRIP = 256
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -55,11 +55,13 @@ class Lens:
     sigma : float
         Its standard error.
     bends_px : mapping of line to px
-        How far each line bends.
+        How far each drawn line bends that is seen.
+    edges_bend_px : float
+        How far the photo's own edges bend that agree, at most.
     is_agreed : bool
-        Whether it makes most lines straight, and is told without any one of these too.
+        Whether most lines that could tell agree, and tell it without any one of them too.
     left_out : tuple of lines
-        Those that it does not make straight: they are bent themselves, or found beside.
+        Those drawn that do not agree: they are bent themselves, or found beside.
     """
 
     principal_px: Array
@@ -67,51 +69,82 @@ class Lens:
     k: float
     sigma: float
     bends_px: Mapping[str, float]
+    edges_bend_px: float = 0.0
     is_agreed: bool = True
     left_out: tuple[str, ...] = ()
 
     @property
-    def worst(self) -> str:
-        """The line that bends most, of those that tell where they do."""
-        told = [line for line in self.bends_px if not (self.is_agreed and line in self.left_out)]
-        return max(told, key=lambda line: self.bends_px[line])
+    def worst(self) -> tuple[str, float]:
+        """The drawn line that bends most, of those that agree where they do, and by how much.
+
+        It has no name where only the photo's own edges bend to be seen.
+        """
+        told = {
+            e: b for e, b in self.bends_px.items() if not self.is_agreed or e not in self.left_out
+        }
+        name = max(told, key=lambda e: told[e], default="")
+        if name and (told[name] > _LEAST_BEND_PX or told[name] >= self.edges_bend_px):
+            return name, told[name]
+        return "", self.edges_bend_px
 
     @property
     def distorts(self) -> bool:
         """Whether the lines bend as lenses bend them, by more than chance does."""
-        sure = _is_sure(self.k, self.sigma)
-        return sure and self.is_agreed and self.bends_px[self.worst] > _LEAST_BEND_PX
+        sure = abs(self.k) > _SIGNIFICANT * self.sigma
+        return sure and self.is_agreed and self.worst[1] > _LEAST_BEND_PX
 
     @property
     def notes(self) -> tuple[str, ...]:
         """What a person should know, a sentence each."""
         if not self.distorts:
             return ()
+        name, bend_px = self.worst
+        lines = f"Lines on straight things bend by up to {bend_px:.1f} px ({name})"
+        edges = f"Long edges in the photo bend by up to {bend_px:.1f} px"
         return (
-            f"Lines on straight things bend by up to {self.bends_px[self.worst]:.1f} px "
-            f"({self.worst}): the lens distorts, by {100 * abs(self.k):.1f} % at the photo's "
-            "corners: straighten the photo.",
+            f"{lines if name else edges}: the lens distorts, by {100 * abs(self.k):.1f} % at the "
+            "photo's corners: straighten the photo.",
         )
 
     def straightened(self, points_px: Array) -> Array:
         """Where points (..., 2) of the photo belong."""
-        return _moved(points_px, self.principal_px, self.half_diagonal_px, self.k)
+        return self._radial.straightened(points_px, self.k)
 
     def bent(self, points_px: Array) -> Array:
         """Where points (..., 2) of the straight photo are seen; the inverse of `straightened`."""
-        off = (np.asarray(points_px, dtype=float) - self.principal_px) / self.half_diagonal_px
-        right = np.linalg.norm(off, axis=-1)
-        r = right.copy()
-        for _ in range(12):
-            r = r - (r * (1 + self.k * r**2) - right) / (1 + 3 * self.k * r**2)
-        factor = np.where(right > 0, r / np.maximum(right, 1e-300), 1.0)
-        return np.asarray(self.principal_px + off * factor[..., None] * self.half_diagonal_px)
+        return self._radial.bent(points_px, self.k)
+
+    @property
+    def _radial(self) -> Radial:
+        return Radial(self.principal_px, self.half_diagonal_px)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PlumbLine:
+    """An edge of the photo, and what it tells.
+
+    Parameters
+    ----------
+    points_px : (n, 2) array
+    k : float
+    sigma : float
+        Infinite where a lens would not bend it.
+    bend_px : float
+    """
+
+    points_px: Array
+    k: float
+    sigma: float
+    bend_px: float
 
 
 def lens_of(
-    grey: Array, lines_px: Mapping[str, tuple[Array, Array]], principal_px: Array | None = None
+    grey: Array,
+    lines_px: Mapping[str, tuple[Array, Array]],
+    principal_px: Array | None = None,
+    edges: Sequence[PlumbLine] | None = None,
 ) -> Lens | None:
-    """The lens, from lines drawn along straight things.
+    """The lens, from lines drawn along straight things and the photo's own long edges.
 
     Parameters
     ----------
@@ -121,99 +154,103 @@ def lens_of(
         As drawn; the photo puts them right.
     principal_px : (2,) array, optional
         By default the photo's middle.
+    edges : sequence of PlumbLine, optional
+        The photo's, where they are known from before.
 
     Returns
     -------
     Lens or None
         None where no line is to be seen.
     """
-    height, width = grey.shape
-    principal = np.array([width / 2, height / 2]) if principal_px is None else principal_px
-    reach_px = max(4.0, _REACH * max(width, height))
-    found = {name: _points_on(grey, *ends, reach_px) for name, ends in lines_px.items()}
-    seen = {name: points for name, points in found.items() if len(points) >= _LEAST_POINTS}
-    if not seen:
+    radial = Radial.of(grey, principal_px)
+    reach_px = max(_LEAST_REACH_PX, _REACH * max(grey.shape))
+    found = {e: _plumb_line(grey, ends, reach_px, radial) for e, ends in lines_px.items()}
+    drawn = {e: line for e, line in found.items() if line is not None}
+    edges = edges_of(grey, principal_px) if edges is None else edges
+    own = [edge for edge in edges if not _is_among(edge, [*drawn.values()])]
+    lines = [*drawn.values(), *own]
+    if not lines:
         return None
-    half = float(np.hypot(width, height)) / 2
-    lines = [(p - principal) / half for p in seen.values()]
-    bends = {name: _bend(points) for name, points in seen.items()}
-    kept = _together_straight(lines, half)
-    own = [line for line, is_kept in zip(lines, kept, strict=True) if is_kept]
-    k, sigma = _distortion(own or lines)
-    agreed = len(own) > len(lines) / 2 and _is_sure(k, sigma) and _is_agreed(own, k, half)
-    out = tuple(name for name, is_kept in zip(seen, kept, strict=True) if not is_kept)
-    return Lens(np.asarray(principal, dtype=float), half, k, sigma, bends, agreed, out)
+    ks, sigmas = np.array([(line.k, line.sigma) for line in lines]).T
+    kept = _agreed(ks, sigmas)
+    k, sigma = _joint(ks[kept], sigmas[kept])
+    bends = {e: line.bend_px for e, line in drawn.items()}
+    most = max(
+        (e.bend_px for e, agrees in zip(own, kept[len(drawn) :], strict=True) if agrees),
+        default=0.0,
+    )
+    out = tuple(e for e, agrees in zip(drawn, kept[: len(drawn)], strict=True) if not agrees)
+    sure = _is_agreed(ks, sigmas, kept)
+    return Lens(radial.principal_px, radial.half_diagonal_px, k, sigma, bends, most, sure, out)
 
 
-def _together_straight(lines: list[Array], half_px: float) -> list[bool]:
-    """Which lines one lens makes straight: the most that any does, of those that lines tell."""
-    told = [0.0, _distortion(lines)[0], *(_distortion([line])[0] for line in lines)]
-    ways = [[_is_straight(line, k, half_px) for line in lines] for k in told]
-    kept = max(ways, key=sum)
+def edges_of(grey: Array, principal_px: Array | None = None) -> tuple[PlumbLine, ...]:
+    """The photo's own long edges, wherever a lens would bend them."""
+    radial = Radial.of(grey, principal_px)
+    found: list[PlumbLine] = []
+    for ends in long_edges(grey):
+        line = _plumb_line(grey, ends, _OWN_REACH_PX, radial)
+        if line is not None and not _is_among(line, found):
+            found.append(line)
+    return tuple(found)
+
+
+def _plumb_line(
+    grey: Array, ends_px: tuple[Array, Array], reach_px: float, radial: Radial
+) -> PlumbLine | None:
+    points = followed(grey, *ends_px, reach_px, radial)
+    return _told(points, radial) if len(points) else None
+
+
+def _is_among(line: PlumbLine, lines: Sequence[PlumbLine]) -> bool:
+    """Whether it is one of these, or runs beside one."""
+    middle = line.points_px[len(line.points_px) // 2]
+    near = (np.linalg.norm(other.points_px - middle, axis=1).min() for other in lines)
+    return any(px < _SAME_PX for px in near)
+
+
+def _agreed(ks: Array, sigmas: Array) -> Array:
+    """Which lines one k makes straight: the most that any does, of 0 and those that lines tell."""
+    usual = np.abs(ks) < MOST_K
+    ways = [usual & (np.abs(ks - k) < _AGREED * sigmas) for k in (0.0, *ks)]
+    kept = max(ways, key=np.sum)
     for _ in range(3):
-        own = [line for line, is_kept in zip(lines, kept, strict=True) if is_kept]
-        if not own:
+        if not kept.any():
             break
-        k = _distortion(own)[0]
-        kept = [_is_straight(line, k, half_px) for line in lines]
-    return kept
+        k, _ = _joint(ks[kept], sigmas[kept])
+        kept = usual & (np.abs(ks - k) < _AGREED * sigmas)
+    return np.asarray(kept)
 
 
-def _is_straight(line: Array, k: float, half_px: float) -> bool:
-    before, after = (half_px * _bend(_moved(line, np.zeros(2), 1.0, by)) for by in (0.0, k))
-    return after < max(_LEAST_BEND_PX / 2, _LEFT * before)
+def _joint(ks: Array, sigmas: Array) -> tuple[float, float]:
+    """The k of several lines, and its standard error by what they tell and how they differ."""
+    weights = sigmas**-2.0
+    if not weights.sum() > 0:
+        return 0.0, np.inf
+    k = float(weights @ ks / weights.sum())
+    differ = float(weights @ (ks - k) ** 2) / max(1, len(ks) - 1)
+    return k, float(np.sqrt(max(1.0, differ) / weights.sum()))
 
 
-def _is_sure(k: float, sigma: float) -> bool:
-    return abs(k) > _SIGNIFICANT * sigma
-
-
-def _is_agreed(lines: list[Array], k: float, half_px: float) -> bool:
-    """Whether lines bend by the lens: one that found another edge bends by itself."""
-    if not all(_is_straight(line, k, half_px) for line in lines):
+def _is_agreed(ks: Array, sigmas: Array, kept: Array) -> bool:
+    """Whether most lines that could tell this k from none agree on it, whichever is taken away."""
+    k, _ = _joint(ks[kept], sigmas[kept])
+    could = _AGREED * sigmas < abs(k)
+    if 2 * (kept & could).sum() <= could.sum():
         return False
-    others = [[*lines[:n], *lines[n + 1 :]] for n in range(len(lines))]
-    return len(lines) > 1 and all(_says_so(rest, k) for rest in others)
+    which = np.flatnonzero(kept)
+    rests = [
+        _joint(ks[rest], sigmas[rest]) for rest in (np.delete(which, n) for n in range(len(which)))
+    ]
+    return all(own * k > 0 and abs(own) > _SIGNIFICANT * sigma for own, sigma in rests)
 
 
-def _says_so(lines: list[Array], k: float) -> bool:
-    """Whether some lines tell by themselves that there is a distortion to the same side."""
-    own, sigma = _distortion(lines)
-    return own * k > 0 and _is_sure(own, sigma)
-
-
-def _points_on(grey: Array, p: Array, q: Array, reach_px: float) -> Array:
-    """Points (n, 2) of the edge near a drawn line, which may bend."""
-    p, q = np.asarray(p, dtype=float), np.asarray(q, dtype=float)
-    length = float(np.linalg.norm(q - p))
-    pieces = int(np.clip(length // _LEAST_PIECE_PX, 1, _PIECES))
-    if length < _LEAST_PIECE_PX:
-        return np.zeros((0, 2))
-    cuts = p + np.outer(np.linspace(0.03, 0.97, pieces + 1), q - p)
-    found = [found_line(grey, a, b, reach_px) for a, b in pairwise(cuts)]
-    points = np.vstack([np.zeros((0, 2)), *(f.points_px for f in found if f is not None)])
-    return _together(points, p, q)
-
-
-def _together(points: Array, p: Array, q: Array) -> Array:
-    """Those points that lie on one smooth curve: a piece may have found another edge."""
-    length = float(np.linalg.norm(q - p))
-    along = (q - p) / length
-    t = (points - p) @ along / length
-    off = (points - p) @ [-along[1], along[0]]
-    kept = np.ones(len(points), dtype=bool)
-    for _ in range(6):
-        if kept.sum() < _LEAST_POINTS:
-            return np.zeros((0, 2))
-        curve = np.polynomial.Polynomial.fit(t[kept], off[kept], 2)
-        miss = np.abs(off - curve(t))
-        limit = 3 * max(1.4826 * float(np.median(miss[kept])), 0.1)
-        fewer = miss <= limit
-        if bool((fewer == kept).all()):
-            break
-        kept = fewer
-    # What is left has to reach over most of the line: a short piece shows no bend.
-    return points[kept] if np.ptp(t[kept]) > 0.6 else np.zeros((0, 2))
+def _told(points_px: Array, radial: Radial) -> PlumbLine:
+    """What an edge tells, by the points on it."""
+    k, sigma = _distortion((points_px - radial.principal_px) / radial.half_diagonal_px)
+    bow_px = abs(float(radial.bow(points_px[0], points_px[-1], np.array([0.5]))[0]))
+    crooked = _CROOKED_PX / bow_px if bow_px > 0 else np.inf
+    return PlumbLine(points_px, k, float(np.hypot(sigma, crooked)), _bend(points_px))
 
 
 def _bend(points: Array) -> float:
@@ -227,102 +264,35 @@ def _bend(points: Array) -> float:
     return abs(float(curve((t.min() + t.max()) / 2) - ends))
 
 
-def _distortion(lines: list[Array]) -> tuple[float, float]:
-    """k and its standard error, from points on lines in half diagonals."""
+def _distortion(line: Array) -> tuple[float, float]:
+    """k and its standard error, from points on a line in half diagonals about the middle."""
     k, step = 0.0, 1e-4
-    normals = [_straight(points)[1] for points in lines]
+    normal = _straight(line)[1]
     for _ in range(12):
-        r = _crookedness(lines, k, normals)
-        slope = _crookedness(lines, k + step, normals) - _crookedness(lines, k - step, normals)
+        r = _crookedness(line, k, normal)
+        slope = _crookedness(line, k + step, normal) - _crookedness(line, k - step, normal)
         slope = slope / (2 * step)
         squares = max(float(slope @ slope), 1e-300)
         change = -float(slope @ r) / squares
-        k = float(np.clip(k + change, -_MOST, _MOST))
+        k = float(np.clip(k + change, -MOST_K, MOST_K))
         if abs(change) < 1e-9:
             break
-    r = _crookedness(lines, k, normals)
-    spare = max(1.0, len(r) / _ALIKE - 2 * len(lines) - 1)
+    r = _crookedness(line, k, normal)
+    spare = max(1.0, len(r) / _ALIKE - 3)
     return k, float(np.sqrt(float(r @ r) / spare / squares))
 
 
-def _crookedness(lines: list[Array], k: float, normals: list[Array]) -> Array:
-    """How far all points are from their lines, once straightened."""
-    found = []
-    for points, like in zip(lines, normals, strict=True):
-        moved = _moved(points, np.zeros(2), 1.0, k)
-        middle, normal = _straight(moved)
-        found.append((moved - middle) @ (normal * np.sign(normal @ like)))
-    return np.concatenate(found)
+def _crookedness(line: Array, k: float, like: Array) -> Array:
+    """How far all points are from their line, once straightened."""
+    moved = Radial(np.zeros(2), 1.0).straightened(line, k)
+    middle, normal = _straight(moved)
+    return np.asarray((moved - middle) @ (normal * np.sign(normal @ like)))
 
 
 def _straight(points: Array) -> tuple[Array, Array]:
     """Middle and normal of the line through points."""
     middle = points.mean(axis=0)
     return middle, np.asarray(np.linalg.svd(points - middle, full_matrices=False)[2][1])
-
-
-def _moved(points: Array, principal: Array, half: float, k: float) -> Array:
-    off = (np.asarray(points, dtype=float) - principal) / half
-    r2 = np.sum(off**2, axis=-1, keepdims=True)
-    return np.asarray(principal + off * (1 + k * r2) * half)
-
-
-def straight_picture(picture: Array, lens: Lens) -> Array:
-    """A photo without its lens's distortion, of the same size.
-
-    Parameters
-    ----------
-    picture : (height, width, ...) array of uint8
-    lens : Lens
-
-    Returns
-    -------
-    array of the same shape and kind
-    """
-    height, width = picture.shape[:2]
-    layers = picture.reshape(height, width, -1)
-    straight = np.empty_like(layers)
-    # In strips: the places of all px at once would fill the memory.
-    for top in range(0, height, _STRIP):
-        rows = np.arange(top, min(top + _STRIP, height))
-        u, v = np.meshgrid(np.arange(width) + 0.5, rows + 0.5)
-        seen = lens.bent(np.stack([u, v], axis=-1)) - 0.5
-        at = np.array([seen[..., 1], seen[..., 0]])
-        for c in range(layers.shape[2]):
-            moved = map_coordinates(layers[..., c], at, order=1, mode="nearest", output=float)
-            straight[rows, :, c] = np.clip(np.rint(moved), 0, 255)
-    return straight.reshape(picture.shape)
-
-
-def straightened_sketch(graph: SketchGraph, lens: Lens, file: str | None) -> SketchGraph:
-    """The sketch over the straightened photo.
-
-    A known camera was that of the bent one, and is forgotten.
-
-    Parameters
-    ----------
-    graph : SketchGraph
-    lens : Lens
-    file : str or None
-        The straightened photo's name.
-    """
-    moved = lens.straightened(np.array([*graph.vertices.values()], dtype=float).reshape(-1, 2))
-    photo = graph.photo
-    return replace(
-        graph,
-        photo=None if photo is None else replace(photo, file=file),
-        vertices=dict(zip(graph.vertices, map(tuple, moved.tolist()), strict=True)),
-        circles={c: _straightened_ellipse(e, lens) for c, e in graph.circles.items()},
-        camera=None,
-    )
-
-
-def _straightened_ellipse(ellipse: Ellipse, lens: Lens) -> Ellipse:
-    a, b = (lens.straightened(np.array(axis)) for axis in (ellipse.a, ellipse.b))
-    # Its two axes go on having one middle.
-    b = b - b.mean(axis=0) + a.mean(axis=0)
-    (a0, a1), (b0, b1) = ([(float(u), float(v)) for u, v in axis.tolist()] for axis in (a, b))
-    return Ellipse((a0, a1), (b0, b1))
 
 
 def traced_ends(graph: SketchGraph) -> dict[str, tuple[Array, Array]]:

@@ -22,6 +22,7 @@ smoothed by as much: a ramp has no steepest place, but a middle.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -54,6 +55,8 @@ _SOFT_PX, _ROUND = 0.9, 2.0
 #: Where no sharp edge is seen, one is looked for that is so blurred, px.
 _TRIED_PX = (0.0, 2.0, 5.0)
 _LARGEST_END = 0.25
+#: Where edges may bend, one of so many profiles tells which one it is: there are many more ways.
+_SOME = 4
 #: Parts of a line that may lie beside it together, by what the photo shows there.
 _BLOCKS = 8
 
@@ -180,29 +183,28 @@ def found_line(grey: Array, p_px: Array, q_px: Array, reach_px: float) -> FoundL
     if length < 2 * _LEAST_POINTS or reach_px < 1:
         return None
     for blur_px in _TRIED_PX:
-        seen = _Side(grey, p, q, reach_px, blur_px)
-        found = seen.fitted(_strongest(seen.slopes, seen.t, seen.offsets, reach_px))
+        seen = Profiles(grey, p, q, reach_px, blur_px)
+        found = seen.fitted(seen.strongest(reach_px))
         if found is not None:
             break
     if found is None:
         return None
     blur_px = seen.blur_px(found)
     if blur_px > _SOFT_PX:
-        soft = _Side(grey, p, q, reach_px, blur_px)
+        soft = Profiles(grey, p, q, reach_px, blur_px)
         again = soft.fitted(found.offsets)
         if again is not None:
             seen, found = soft, again
     across = seen.across
     ends = np.array([p + across * found.offsets[0], q + across * found.offsets[1]])
-    points = seen.feet + found.own[:, None] * across
     unsure = (found.sigma_px, _OF_BLUR * blur_px, _GLARING_PX * found.glaring)
     sigma_px = float(np.linalg.norm(unsure))
-    return FoundLine(ends, points[found.kept], sigma_px, blur_px)
+    return FoundLine(ends, seen.points(found), sigma_px, blur_px)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Fit:
-    """A line through steps: offsets at both ends, and their standard error.
+class Fit:
+    """A line through steps: offsets at both ends (and its bow), and the ends' standard error.
 
     Each profile's own step, which of them count, and the part of these beside which there is glare.
     """
@@ -214,16 +216,40 @@ class _Fit:
     glaring: float
 
 
-class _Side:
-    """The profiles along a drawn line, where the photo is blurred so much."""
+class Profiles:
+    """The profiles along a drawn line.
 
-    def __init__(self, grey: Array, p: Array, q: Array, reach_px: float, blur_px: float) -> None:
+    Parameters
+    ----------
+    grey : (height, width) array
+    p, q : (2,) arrays
+        Its ends.
+    reach_px : float
+    blur_px : float
+        Where the photo is blurred so much.
+    bow_px : callable, optional
+        How far beside the line at t the edge is where it bends by one unit; by default it is
+        straight.
+    """
+
+    def __init__(
+        self,
+        grey: Array,
+        p: Array,
+        q: Array,
+        reach_px: float,
+        blur_px: float,
+        bow_px: Callable[[Array], Array] | None = None,
+    ) -> None:
         length = float(np.linalg.norm(q - p))
         along = (q - p) / length
         self.across = np.array([-along[1], along[0]])
         end = min(max(_END, _ROUND * blur_px / length), _LARGEST_END)
         count = int(np.clip(length * (1 - 2 * end), _LEAST_POINTS, _MAX_PROFILES))
         self.t = np.linspace(end, 1 - end, count)
+        columns = [1 - self.t, self.t, *([] if bow_px is None else [bow_px(self.t)])]
+        #: What the offsets at both ends, and the bow, make of a line's offset at each profile.
+        self.basis = np.column_stack(columns)
         margin = max(4.0, min(_WIDE * length, _WIDEST_PX))
         self.offsets = np.arange(-(reach_px + margin), reach_px + margin + 1e-9, 1 / _PER_PX)
         self.feet = p + np.outer(self.t * length, along)
@@ -238,22 +264,44 @@ class _Side:
         #: What is brighter may be much brighter: a photo ends there.
         self._brightest = most - _GLARE if most >= _GLARING else np.inf
 
-    def fitted(self, guess: Array) -> _Fit | None:
-        """The line near a guess, offsets at both ends; None where too few profiles have a step."""
+    def fitted(self, guess: Array, among: Array | None = None) -> Fit | None:
+        """The line near a guess; None where too few profiles (among these) have a step."""
+        among = np.ones(len(self.t), dtype=bool) if among is None else among
         for _ in range(2):
             own, kept, bright = self._steps(guess)
-            if kept.sum() < max(_LEAST_POINTS, _LEAST_PART * len(kept)):
+            kept &= among
+            if kept.sum() < max(_LEAST_POINTS, _LEAST_PART * among.sum()):
                 return None
             clear = kept & ~bright
             if clear.sum() >= _LEAST_POINTS and np.ptp(self.t[clear]) > _LEAST_PART:
                 kept = clear
-            guess, sigma_px, kept = _fitted(self.t, own, kept)
-        return _Fit(guess, sigma_px, own, kept, float(bright[kept].mean()))
+            guess, sigma_px, kept = _fitted(self.basis, own, kept)
+        return Fit(guess, sigma_px, own, kept, float(bright[kept].mean()))
+
+    def strongest(self, reach_px: float, most_bow: float = 0.0) -> Array:
+        """Offsets at both ends (and the bow) of the line with the most change, (2,) or (3,)."""
+        some = slice(None) if self.basis.shape[1] == 2 else slice(None, None, _SOME)
+        slopes, basis = self.slopes[some], self.basis[some]
+        limit = float(np.median(np.abs(slopes).max(axis=1))) + 1e-300
+        clipped = np.clip(slopes, -limit, limit)
+        step = 1 / _PER_PX if basis.shape[1] == 2 else 1.0
+        ends = np.arange(-reach_px, reach_px + 1e-9, step)
+        bows = [_bows(column, most_bow) for column in basis.T[2:]]
+        ways = np.stack([g.ravel() for g in np.meshgrid(ends, ends, *bows, indexing="ij")])
+        places = self._index(np.tensordot(ways, basis, axes=(0, 1)))
+        change = np.abs(clipped[np.arange(len(basis)), places].sum(axis=1))
+        # Of several edges, the one that was meant is the nearer one.
+        change *= np.exp(-(ways[0] ** 2 + ways[1] ** 2) / (4 * reach_px**2))
+        return np.asarray(ways[:, int(np.argmax(change))])
+
+    def points(self, fit: Fit) -> Array:
+        """The steps that count, (n, 2) in the photo."""
+        return np.asarray((self.feet + fit.own[:, None] * self.across)[fit.kept])
 
     def _steps(self, guess: Array) -> tuple[Array, Array, Array]:
         """Each profile's own step near the line: its offset, whether there is one, and glare."""
         slopes, offsets = self.slopes, self.offsets
-        line = guess[0] * (1 - self.t) + guess[1] * self.t
+        line = self.basis @ guess
         rows = np.arange(len(self.t))
         sign = np.sign(np.sum(slopes[rows, self._index(line)]))
         near = np.abs(offsets[None, :] - line[:, None]) <= self._near_px
@@ -271,7 +319,7 @@ class _Side:
         found = np.rint((offsets - self.offsets[0]) * _PER_PX).astype(int)
         return np.asarray(np.clip(found, 0, len(self.offsets) - 1))
 
-    def blur_px(self, fit: _Fit) -> float:
+    def blur_px(self, fit: Fit) -> float:
         """How wide the step is on the whole, without what smoothing has added."""
         reach = max(2, int((self.offsets[-1] - np.abs(fit.offsets).max()) * _PER_PX))
         middle = self._index(fit.own[fit.kept])
@@ -287,6 +335,12 @@ class _Side:
         return float(np.sqrt(max(0.0, wide - self._smooth_px**2)))
 
 
+def _bows(column: Array, most: float) -> Array:
+    """Bows of which each bends a line by a pixel more than the one before."""
+    count = int(most * float(np.abs(column).max()))
+    return np.linspace(-most, most, 2 * count + 1)
+
+
 def _values(grey: Array, feet: Array, across: Array, offsets: Array) -> Array:
     """The brightness along each profile, (profiles, offsets)."""
     places = feet[:, None, :] + offsets[None, :, None] * across
@@ -296,23 +350,8 @@ def _values(grey: Array, feet: Array, across: Array, offsets: Array) -> Array:
     return np.asarray(gaussian_filter1d(values, 1.0, axis=0, mode="nearest"))
 
 
-def _strongest(slopes: Array, t: Array, offsets: Array, reach_px: float) -> Array:
-    """Offsets at both ends of the straight line with the most change, (2,)."""
-    limit = float(np.median(np.abs(slopes).max(axis=1))) + 1e-300
-    clipped = np.clip(slopes, -limit, limit)
-    shifts = np.arange(-reach_px, reach_px + 1e-9, 1 / _PER_PX)
-    a, b = (grid.ravel() for grid in np.meshgrid(shifts, shifts, indexing="ij"))
-    places = np.rint((a[:, None] * (1 - t) + b[:, None] * t - offsets[0]) * _PER_PX).astype(int)
-    change = np.abs(clipped[np.arange(len(t)), places].sum(axis=1))
-    # Of several edges, the one that was meant is the nearer one.
-    change *= np.exp(-(a**2 + b**2) / (4 * reach_px**2))
-    best = int(np.argmax(change))
-    return np.array([a[best], b[best]])
-
-
-def _fitted(t: Array, own: Array, kept: Array) -> tuple[Array, float, Array]:
+def _fitted(A: Array, own: Array, kept: Array) -> tuple[Array, float, Array]:
     """The line through the steps: offsets at both ends, their standard error, which points."""
-    A = np.column_stack([1 - t, t])
     for _ in range(4):
         guess = np.linalg.lstsq(A[kept], own[kept], rcond=None)[0]
         off = np.abs(own - A @ guess)

@@ -14,9 +14,9 @@ if TYPE_CHECKING:
 def add_straighten(commands: Any) -> None:
     """Declare ``straighten``."""
     text = (
-        "Take the lens's distortion out of a sketch's photo. Lines traced on straight things (its "
-        "construction geometry) tell how the lens bends them. Writes the straight photo, and the "
-        "sketch over it."
+        "Take the lens's distortion out of a sketch's photo. Its long edges, and lines traced on "
+        "straight things (construction geometry), tell how the lens bends them. Writes the "
+        "straight photo, and the sketch over it."
     )
     command = commands.add_parser(
         "straighten", help="take the lens's distortion out of a photo", description=text
@@ -37,8 +37,8 @@ def _straighten(arguments: argparse.Namespace) -> int:
     from ..solver.errors import SketchError
     from ..solver.files import write_files
     from ..solver.serialise import sketch_to_text
-    from .lens import straight_picture, straightened_sketch
     from .photos import load_photo
+    from .straight_photo import straight_picture, straightened_sketch
 
     graph = load_sketch(arguments.sketch)
     picture, problem = load_photo(graph, arguments.sketch)
@@ -47,12 +47,12 @@ def _straighten(arguments: argparse.Namespace) -> int:
     lens = lens_of_sketch(graph, arguments.sketch)
     if lens is None:
         raise SketchError(
-            "no traced line is seen in the photo",
+            "no straight edge is seen in the photo",
             (),
             "draw construction lines along straight things, near the photo's borders",
         )
     if not lens.distorts:
-        print(f"nothing to straighten: lines bend by {lens.bends_px[lens.worst]:.1f} px at most")
+        print(f"nothing to straighten: lines bend by {lens.worst[1]:.1f} px at most")
         return 0
     straight = Image.fromarray(straight_picture(np.asarray(picture), lens))
     data = io.BytesIO()
@@ -68,14 +68,13 @@ def _straighten(arguments: argparse.Namespace) -> int:
 
 
 def lens_of_sketch(graph: SketchGraph, path: Path) -> Lens | None:
-    """The lens as a sketch's traced lines tell it; None where they are not to be seen."""
+    """The lens as a sketch's photo tells it; None where no long edge is to be seen."""
     import numpy as np
 
     from .lens import lens_of, traced_ends
     from .photos import grey_of, load_photo
 
-    lines = traced_ends(graph)
-    picture, problem = load_photo(graph, path) if lines else (None, "")
+    picture, problem = load_photo(graph, path)
     if picture is None or problem:
         return None
-    return lens_of(grey_of(picture), lines, np.array(graph.principal_point_px))
+    return lens_of(grey_of(picture), traced_ends(graph), np.array(graph.principal_point_px))

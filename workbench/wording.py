@@ -78,6 +78,8 @@ SENTENCES = (
     "others further apart, or use a marker.",
     "Lines on straight things bend by up to {} px ({}): the lens distorts, by {} % at the photo's "
     "corners: straighten the photo.",
+    "Long edges in the photo bend by up to {} px: the lens distorts, by {} % at the photo's "
+    "corners: straighten the photo.",
     "{}, too many to solve for: mark right angles and parallels.",
     "{} drawn without width or height: pull the ellipse open.",
     "The given lengths put the camera {} mm ({} %) off its known height: check the length, the "

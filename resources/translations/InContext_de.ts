@@ -820,6 +820,10 @@
         <translation>Linien auf geraden Dingen biegen sich um bis zu {} px ({}): das Objektiv verzeichnet, um {} % in den Ecken des Fotos: das Foto begradigen.</translation>
     </message>
     <message>
+        <source>Long edges in the photo bend by up to {} px: the lens distorts, by {} % at the photo's corners: straighten the photo.</source>
+        <translation>Lange Kanten im Foto biegen sich um bis zu {} px: das Objektiv verzeichnet, um {} % in den Ecken des Fotos: das Foto begradigen.</translation>
+    </message>
+    <message>
         <source>Look at the 3D model from where the photo was taken, with the photo behind it; once more brings the old view back</source>
         <translation>Das 3D-Modell von dort sehen, wo das Foto gemacht wurde, mit dem Foto dahinter; nochmals bringt die alte Ansicht zurück</translation>
     </message>
@@ -976,8 +980,8 @@
         <translation>Zwischen den Ecken sind keine geraden Kanten zu sehen; sie gelten, wie sie sind: genau setzen.</translation>
     </message>
     <message>
-        <source>No straight thing is traced: draw lines along some, near the photo's borders, and make them construction (X).</source>
-        <translation>Kein gerades Ding ist nachgezeichnet: Linien entlang gerader Dinge ziehen, nahe am Rand des Fotos, und zu Hilfsgeometrie machen (X).</translation>
+        <source>No straight thing is seen: draw lines along some, near the photo's borders, and make them construction (X).</source>
+        <translation>Kein gerades Ding ist zu sehen: Linien entlang gerader Dinge ziehen, nahe am Rand des Fotos, und zu Hilfsgeometrie machen (X).</translation>
     </message>
     <message>
         <source>{} cannot hold with what is said of the circles and the rest of the side: take one of these away.</source>
@@ -1360,8 +1364,8 @@
         <translation>Vorschläge übernehmen</translation>
     </message>
     <message>
-        <source>Take the lens's distortion out of the photo: lines traced on straight things as construction tell how it bends them</source>
-        <translation>Die Verzeichnung des Objektivs aus dem Foto nehmen: als Hilfsgeometrie auf geraden Dingen nachgezeichnete Linien verraten, wie es sie biegt</translation>
+        <source>Take the lens's distortion out of the photo: its long edges, and lines traced on straight things as construction, tell how it bends them</source>
+        <translation>Die Verzeichnung des Objektivs aus dem Foto nehmen: dessen lange Kanten und als Hilfsgeometrie auf geraden Dingen nachgezeichnete Linien verraten, wie es sie biegt</translation>
     </message>
     <message>
         <source>Take the picture, or the picture file, that was copied last as the photo</source>
@@ -1464,8 +1468,8 @@
         <translation>Die nachgezeichnete Linie {} liegt {} px ({} Grad) neben der Perspektive der übrigen: prüfen.</translation>
     </message>
     <message>
-        <source>The traced lines bend by {:.1f} px at most: there is nothing to straighten.</source>
-        <translation>Die nachgezeichneten Linien biegen sich um höchstens {:.1f} px: es gibt nichts zu begradigen.</translation>
+        <source>Straight lines bend by {:.1f} px at most: there is nothing to straighten.</source>
+        <translation>Gerade Linien biegen sich um höchstens {:.1f} px: es gibt nichts zu begradigen.</translation>
     </message>
     <message>
         <source>The traced lines meet as in a cropped photo: it was taken towards {} px, not {} px: say so in the photo's camera, or use the whole photo.</source>
@@ -2318,8 +2322,8 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>Passung wird geprüft …</translation>
     </message>
     <message>
-        <source>Looking at the traced lines in the photo ...</source>
-        <translation>Die nachgezeichneten Linien werden im Foto betrachtet …</translation>
+        <source>Looking at the straight lines in the photo ...</source>
+        <translation>Die geraden Linien im Foto werden betrachtet …</translation>
     </message>
     <message>
         <source>Straightening the photo ...</source>

@@ -820,6 +820,10 @@
         <translation>まっすぐな物の線が最大 {} px 曲がっています（{}）。レンズの歪みは写真の隅で {} % です。写真の歪みを補正してください。</translation>
     </message>
     <message>
+        <source>Long edges in the photo bend by up to {} px: the lens distorts, by {} % at the photo's corners: straighten the photo.</source>
+        <translation>写真の中の長い縁が最大 {} px 曲がっています。レンズの歪みは写真の隅で {} % です。写真の歪みを補正してください。</translation>
+    </message>
+    <message>
         <source>Look at the 3D model from where the photo was taken, with the photo behind it; once more brings the old view back</source>
         <translation>写真を撮った位置から、写真を背景に 3D モデルを見る。もう一度で元の表示に戻ります</translation>
     </message>
@@ -976,8 +980,8 @@
         <translation>角の間に直線の縁が見えないので、角はそのまま使います。正確に置いてください。</translation>
     </message>
     <message>
-        <source>No straight thing is traced: draw lines along some, near the photo's borders, and make them construction (X).</source>
-        <translation>まっすぐな物がなぞられていません。写真の端に近いまっすぐな物に沿って線を引き、補助線（X）にしてください。</translation>
+        <source>No straight thing is seen: draw lines along some, near the photo's borders, and make them construction (X).</source>
+        <translation>まっすぐな物が見つかりません。写真の端に近いまっすぐな物に沿って線を引き、補助線（X）にしてください。</translation>
     </message>
     <message>
         <source>{} cannot hold with what is said of the circles and the rest of the side: take one of these away.</source>
@@ -1360,8 +1364,8 @@
         <translation>提案を採用</translation>
     </message>
     <message>
-        <source>Take the lens's distortion out of the photo: lines traced on straight things as construction tell how it bends them</source>
-        <translation>レンズの歪みを写真から取り除きます。まっすぐな物を補助線としてなぞると、曲がり方が分かります</translation>
+        <source>Take the lens's distortion out of the photo: its long edges, and lines traced on straight things as construction, tell how it bends them</source>
+        <translation>レンズの歪みを写真から取り除きます。写真の中の長い縁と、まっすぐな物を補助線としてなぞった線から、曲がり方が分かります</translation>
     </message>
     <message>
         <source>Take the picture, or the picture file, that was copied last as the photo</source>
@@ -1464,8 +1468,8 @@
         <translation>なぞった線 {} は他の線の遠近から {} px（{} 度）ずれています。確かめてください。</translation>
     </message>
     <message>
-        <source>The traced lines bend by {:.1f} px at most: there is nothing to straighten.</source>
-        <translation>なぞった線の曲がりは最大 {:.1f} px です。補正は必要ありません。</translation>
+        <source>Straight lines bend by {:.1f} px at most: there is nothing to straighten.</source>
+        <translation>まっすぐな線の曲がりは最大 {:.1f} px です。補正は必要ありません。</translation>
     </message>
     <message>
         <source>The traced lines meet as in a cropped photo: it was taken towards {} px, not {} px: say so in the photo's camera, or use the whole photo.</source>
@@ -2318,8 +2322,8 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>適合を確認しています…</translation>
     </message>
     <message>
-        <source>Looking at the traced lines in the photo ...</source>
-        <translation>写真の中のなぞった線を調べています…</translation>
+        <source>Looking at the straight lines in the photo ...</source>
+        <translation>写真の中のまっすぐな線を調べています…</translation>
     </message>
     <message>
         <source>Straightening the photo ...</source>

@@ -72,8 +72,20 @@ def test_bent_lines_are_said_and_the_photo_is_straightened(person, document, mon
     wait_until(lambda: "the lens distorts" in controller.lens_watch.words)
 
 
-def test_without_traced_lines_it_says_what_to_do(person, monkeypatch):
+def test_with_nothing_drawn_the_photos_own_edges_tell(person, document):
+    sketch = document.getObject("PhotoSketch")
+    person.push("InContext_StraightenPhoto")
+    assert pipeline.graph_of(sketch.Sketch).photo.file == "table-straight.jpg"
+
+
+def test_where_no_straight_thing_is_seen_it_says_what_to_do(
+    person, document, monkeypatch, tmp_path
+):
     told = []
     monkeypatch.setattr(messages, "tell", told.append)
+    image = QtGui.QImage(800, 600, QtGui.QImage.Format_RGB888)
+    image.fill(QtGui.QColor(120, 120, 120))
+    assert image.save(str(tmp_path / "fog.png"))
+    document.getObject("PhotoSketch").Photo = str(tmp_path / "fog.png")
     person.push("InContext_StraightenPhoto")
     assert "construction" in told[0]

@@ -15,8 +15,8 @@ class StraightenPhoto(Command):
     ICON = "InContext_StraightenPhoto"
     MENU_TEXT = "Straighten photo"
     TOOLTIP = (
-        "Take the lens's distortion out of the photo: lines traced on straight things as "
-        "construction tell how it bends them"
+        "Take the lens's distortion out of the photo: its long edges, and lines traced on straight "
+        "things as construction, tell how it bends them"
     )
     NEEDS = ("numpy", "scipy")
 
@@ -39,12 +39,12 @@ class StraightenPhoto(Command):
             raise CommandError(
                 host.translate(
                     "InContext",
-                    "No straight thing is traced: draw lines along some, near the photo's borders, "
+                    "No straight thing is seen: draw lines along some, near the photo's borders, "
                     "and make them construction (X).",
                 )
             )
         words = host.translate(
             "InContext",
-            "The traced lines bend by {:.1f} px at most: there is nothing to straighten.",
+            "Straight lines bend by {:.1f} px at most: there is nothing to straighten.",
         )
-        mention(words.format(lens.bends_px[lens.worst]))
+        mention(words.format(lens.worst[1]))

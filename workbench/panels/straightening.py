@@ -5,6 +5,7 @@ from __future__ import annotations
 import tempfile
 from collections.abc import Callable
 from dataclasses import replace
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -21,16 +22,16 @@ from .aside import Aside
 from .photo_pixels import colour_photo, grey_photo, save_colours
 
 if TYPE_CHECKING:
-    from ...solver.graph import SketchGraph
+    from ...solver.graph import Photo, SketchGraph
     from ..canvas.view import SketchView
-    from ..lens import Lens
+    from ..lens import Lens, PlumbLine
 
 #: Lines are looked at in the photo once the hand has rested so long.
 REST_MS = 800
 
 
 class LensWatch:
-    """Says so where the traced lines bend.
+    """Says so where lines on straight things bend.
 
     Parameters
     ----------
@@ -55,7 +56,7 @@ class LensWatch:
         self._look_soon(view.graph)
 
     def _look_soon(self, graph: SketchGraph) -> None:
-        if graph.construction or self.words:
+        if graph.photo is not None and (graph.edges or graph.circles or self.words):
             self._timer.start()
 
     def look(self) -> None:
@@ -79,7 +80,8 @@ class LensWatch:
 
 
 def lens_of_object(obj: Any, graph: SketchGraph) -> Lens | None:
-    """The lens of a photo sketch, by its traced lines and the sides of what tells its camera.
+    """The lens of a photo sketch, by its traced lines, the sides of what tells its camera, and the
+    photo's own long edges.
 
     Raises
     ------
@@ -87,7 +89,7 @@ def lens_of_object(obj: Any, graph: SketchGraph) -> Lens | None:
         Where a person did not wait for it.
     """
     path, marker = obj.Photo, obj.Marker
-    words = host.translate("InContext", "Looking at the traced lines in the photo ...")
+    words = host.translate("InContext", "Looking at the straight lines in the photo ...")
     # Packed, for there may be none.
     return pipeline.in_sight(words, lambda: (_lens_of(path, marker, graph),))[0]
 
@@ -103,13 +105,26 @@ def _lens_if_known(path: str, marker: str, graph: SketchGraph) -> Lens | None:
 def _lens_of(path: str, marker: str, graph: SketchGraph) -> Lens | None:
     from ..lens import lens_of, traced_ends
 
+    grey = None if graph.photo is None else grey_photo(path, graph.photo)
+    if graph.photo is None or grey is None:
+        return None
     lines = traced_ends(graph)
     told = rectangle_of(marker)
     if told is not None:
         corners = np.array(told[0])
         lines |= {f"{k + 1}": (corners[k], corners[(k + 1) % 4]) for k in range(4)}
-    grey = grey_photo(path, graph.photo) if lines and graph.photo is not None else None
-    return None if grey is None else lens_of(grey, lines, np.array(graph.principal_point_px))
+    edges = _edges(path, Path(path).stat().st_mtime_ns, graph.photo)
+    return lens_of(grey, lines, np.array(graph.principal_point_px), edges)
+
+
+@lru_cache(maxsize=2)
+def _edges(path: str, changed_ns: int, photo: Photo) -> tuple[PlumbLine, ...]:
+    """The photo's own long edges: however the sketch changes, they are the same."""
+    from ..lens import edges_of
+
+    grey = grey_photo(path, photo)
+    middle = photo.principal_point_px
+    return () if grey is None else edges_of(grey, None if middle is None else np.array(middle))
 
 
 def straighten(obj: Any, lens: Lens) -> None:
@@ -139,7 +154,7 @@ def _straightened(
     graph: SketchGraph, photo: str, marker: str, lens: Lens, path: Path
 ) -> tuple[SketchGraph, str]:
     """Write the straight photo; the sketch over it, and what tells its camera."""
-    from ..lens import straight_picture, straightened_sketch
+    from ..straight_photo import straight_picture, straightened_sketch
 
     assert graph.photo is not None
     save_colours(straight_picture(colour_photo(photo, graph.photo), lens), str(path))

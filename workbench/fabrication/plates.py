@@ -25,6 +25,7 @@ from .finger_joints import share_out
 from .frame import Frame, find_frame, leaning_openings, snapped
 from .joints import Joint, JointPlan
 from .outlines import cut_outlines
+from .overlapping import disjoint
 from .settings import PlateSettings
 from .walls import Wall, find_walls
 
@@ -111,6 +112,7 @@ def joined_plates(model: Model, settings: PlateSettings = _DEFAULTS) -> Joined:
     FabricationError
         Naming the faces that are not flat or too close together, or the joint that cannot be.
     """
+    model = disjoint(model)
     faces = {id_: face for id_, face in model.faces.items() if face.included}
     if not faces and model.turned:
         raise FabricationError(

@@ -22,6 +22,7 @@ from ...solver.union_find import UnionFind
 from ...solver.values import Array
 from .errors import FabricationError
 from .frame import SNAP_MM, newell
+from .overlapping import disjoint
 from .sides import face_sides
 
 Loop = tuple[str, ...]
@@ -67,6 +68,7 @@ def polyhedron_of(model: Model) -> Polyhedron:
     FabricationError
         Where the faces do not close (naming the open edges) or are not flat (naming the faces).
     """
+    model = disjoint(model)
     loops = {id_: (face.loop, *face.holes) for id_, face in model.faces.items()}
     vertices = refit(model, loops)
     placed = {

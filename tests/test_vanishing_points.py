@@ -10,10 +10,9 @@ import pytest
 from rectangles import camera_at
 from scenes import Views, bookshelf, box, photograph, photograph_exactly, with_traced_box
 
-from incontext.solver import load_sketch, save_sketch, solve
+from incontext.solver import save_sketch, solve
 from incontext.solver.perspective.vanishing_points import FAR_OFF, traced_lines
 from incontext.workbench.cli import main
-from incontext.workbench.examples import example_path
 from incontext.workbench.panels.traced_texts import words_of
 
 
@@ -133,12 +132,3 @@ def test_the_command_says_it_line_by_line(tmp_path, capsys):
     save_sketch(replace(graph, construction=()), path)
     assert main(["camera", str(path)]) == 2
     assert "try:" in capsys.readouterr().err
-
-
-@pytest.mark.parametrize(("principal_px", "said"), [(None, True), ((950.0, 460.0), False)])
-def test_a_photo_of_a_shape_no_camera_has_may_be_cropped(principal_px, said):
-    """One paperback does not tell it by its lines, but without it sizes are 9 % off."""
-    graph = load_sketch(example_path("desk_tidy"))
-    graph = replace(graph, photo=replace(graph.photo, principal_point_px=principal_px))
-    words, _ = words_of(graph, solve(graph))
-    assert ("1600 x 1100 px" in words) is said

@@ -148,7 +148,7 @@ def _judge_lines(path: Path, *, is_photo: bool) -> int:
     from ..solver import load_sketch, solve
     from ..solver.errors import SketchError
     from ..solver.perspective.vanishing_points import traced_lines
-    from .cropped_photos import may_be_cropped
+    from .cropped_photos import perspective_notes
     from .straighten_command import lens_of_sketch
 
     if is_photo:
@@ -171,8 +171,7 @@ def _judge_lines(path: Path, *, is_photo: bool) -> int:
             line = traced.lines[edge]
             print(f"  {edge}: {line.off_px:.1f} px, {math.degrees(line.off_rad):.2f} degrees off")
     lens = lens_of_sketch(graph, path)
-    cropped = () if any("cropped" in note for note in traced.notes) else may_be_cropped(graph)
-    for note in (*traced.notes, *cropped, *(() if lens is None else lens.notes)):
+    for note in (*perspective_notes(graph, traced), *(() if lens is None else lens.notes)):
         print(f"note: {note}")
     return 0
 

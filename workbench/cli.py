@@ -216,6 +216,7 @@ def _check(arguments: argparse.Namespace) -> int:
     from ..solver.editing.nearly_flat import message_with_wanting_faces
     from ..solver.perspective.vanishing_points import traced_lines
     from ..solver.solution import Status
+    from .cropped_photos import perspective_notes
     from .photos import photo_problem
     from .straighten_command import lens_of_sketch
 
@@ -230,7 +231,8 @@ def _check(arguments: argparse.Namespace) -> int:
         elif message != PLAIN:
             found.insert(0, ("warning", message))
         lens = lens_of_sketch(graph, arguments.sketch)
-        notes = (*traced_lines(graph, solution).notes, *(() if lens is None else lens.notes))
+        notes = perspective_notes(graph, traced_lines(graph, solution))
+        notes += () if lens is None else lens.notes
         found += [("warning", note) for note in notes]
     problem = photo_problem(graph, arguments.sketch)
     if problem:

@@ -8,6 +8,14 @@ from .exif import PhotoData
 
 if TYPE_CHECKING:
     from ..solver.graph import SketchGraph
+    from ..solver.perspective.vanishing_points import Traced
+
+
+def perspective_notes(graph: SketchGraph, traced: Traced) -> tuple[str, ...]:
+    """What the traced lines say, and that the photo may be cropped where they do not tell it."""
+    if any("cropped" in note for note in traced.notes):
+        return traced.notes
+    return (*traced.notes, *may_be_cropped(graph))
 
 
 def may_be_cropped(graph: SketchGraph) -> tuple[str, ...]:

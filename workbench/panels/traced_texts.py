@@ -6,12 +6,12 @@ import math
 from typing import TYPE_CHECKING
 
 from .. import host
-from ..cropped_photos import may_be_cropped
+from ..cropped_photos import perspective_notes
 from ..wording import in_language
 
 if TYPE_CHECKING:
     from ...solver.graph import SketchGraph
-    from ...solver.perspective.vanishing_points import Traced, TracedLine
+    from ...solver.perspective.vanishing_points import TracedLine
     from ...solver.solution import Solution
 
 
@@ -27,14 +27,9 @@ def words_of(graph: SketchGraph, solution: Solution) -> tuple[str, str]:
     ranked = sorted(traced.lines.items(), key=lambda item: -item[1].off_px)
     worst, line = ranked[0]
     words = host.translate("InContext", "{0} traced lines, the worst ({1}) {2:.1f} px off.")
-    said = [words.format(len(ranked), worst, line.off_px), *map(in_language, _notes(graph, traced))]
-    return " ".join(said), "\n".join(_numbers(*item) for item in ranked)
-
-
-def _notes(graph: SketchGraph, traced: Traced) -> tuple[str, ...]:
-    """Of the lines; and that the photo may be cropped, where these do not tell it."""
-    cropped = any("cropped" in note for note in traced.notes)
-    return traced.notes if cropped else (*traced.notes, *may_be_cropped(graph))
+    said = words.format(len(ranked), worst, line.off_px)
+    notes = map(in_language, perspective_notes(graph, traced))
+    return " ".join((said, *notes)), "\n".join(_numbers(*item) for item in ranked)
 
 
 def _numbers(edge: str, line: TracedLine) -> str:

@@ -11,7 +11,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from functools import partial
 
 import numpy as np
 
@@ -25,6 +24,7 @@ from .diagnosis import (
     Clash,
     KnownShape,
     Reading,
+    as_well,
     best_first,
     contradicts,
     convict,
@@ -298,7 +298,7 @@ def _blame(
     clear = explains and best.rms < CLEAR_RMS and best.n_free <= whole.n_free + 1
     fall = whole.information - best.information
     named = [(id_, r) for id_, r in against if whole.information - r.information > fall / 2]
-    ids = tuple(id_ for id_, _ in sorted(named, key=partial(_order, graph, best)))
+    ids = tuple(id_ for id_, _ in likeliest_first(graph, named))
     px = drawn_diagonal(problem) * problem.px_per_unit
     missed = (
         f"with it the drawing is missed by {_few_digits(whole.rms * px)} px, "
@@ -324,14 +324,31 @@ def _blame(
     )
 
 
-def _order(
-    graph: SketchGraph, best: Reading, named: tuple[str, Reading]
-) -> tuple[float, bool, int]:
-    """Where the drawing tells two apart by no more than chance, a wish and what says less first."""
-    annotation, more = graph.annotations[named[0]], named[1].information - best.information
-    elements = sum(len(ids) for ids in targets_of(annotation).values())
-    wish = isinstance(annotation, Length | Diameter | Angle)
-    return (0.0 if more < TIE else more, not wish, elements)
+def likeliest_first(
+    graph: SketchGraph, tried: list[tuple[str, Reading]]
+) -> list[tuple[str, Reading]]:
+    """Readings by what was left out, the likeliest falsehood first.
+
+    Where the drawing tells two apart by no more than chance, what leaves less open comes first,
+    then a wish, then what says less.
+
+    Parameters
+    ----------
+    graph : SketchGraph
+    tried : list of (annotation id, Reading)
+        The best reading first.
+    """
+
+    def order(named: tuple[str, Reading]) -> tuple[float, int, float, bool, int]:
+        (id_, reading), best = named, tried[0][1]
+        annotation, more = graph.annotations[id_], reading.information - best.information
+        beyond = 0.0 if more < TIE else more
+        rival = reading.n_free == best.n_free or as_well(reading, best)
+        elements = sum(len(ids) for ids in targets_of(annotation).values())
+        wish = isinstance(annotation, Length | Diameter | Angle)
+        return (0.0 if rival else beyond, reading.n_free, beyond, not wish, elements)
+
+    return sorted(tried, key=order)
 
 
 def suspicion(graph: SketchGraph, lifted: Candidate, stop: Stop) -> Blame | None:
@@ -358,7 +375,7 @@ def blame_for_clash(
     """Whom to blame where annotations cannot all hold, whatever the drawing."""
     several = clash.culprits if len(clash.culprits) > 1 else ()
     tried = convict([(id_, 1.0) for id_ in several], attempt, afresh=True)
-    ids = tuple(dict.fromkeys([*(id_ for id_, _ in tried), *clash.ids]))
+    ids = tuple(dict.fromkeys([*(id_ for id_, _ in likeliest_first(graph, tried)), *clash.ids]))
     if not clash.culprits:
         return Blame(ids, f"{_and(ids)} cannot all hold: take one of them away.", False)
     rest = f" together with {_and(ids[1:])}" if len(ids) > 1 else ""

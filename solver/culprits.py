@@ -37,6 +37,8 @@ from .wishes import drawn_shape, fulfilled, proportions_of
 #: is believed before a false annotation that explains less than so many times more: people lean,
 #: and seldom say what is false.
 CAREFUL_RMS, TIMES_BETTER = 0.0035, 2.0
+#: Up to odds of 20,000 to 1 against it (twice their logarithm).
+LEANS_RATHER = 20.0
 #: So many annotations are left out, at most, to show a shape where they clash.
 MAX_CULPRITS = 4
 #: Of more edges and annotations than these nobody draws, one is left out.
@@ -133,7 +135,10 @@ def _explains(
     if other is None or other.doubtful:
         return True
     best = reading_of(without(core, blamed.ids[0]), other)
-    hardly_better = found.rms < min(CAREFUL_RMS, TIMES_BETTER * best.rms)
+    hardly_better = (
+        found.rms < min(CAREFUL_RMS, TIMES_BETTER * best.rms)
+        and found.information < best.information + LEANS_RATHER
+    )
     return hardly_better or found.information < best.information
 
 

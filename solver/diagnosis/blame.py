@@ -28,6 +28,9 @@ NOTICEABLE = 0.005
 NOTICEABLE_FALL = 8 * NOTICEABLE**2
 #: Less is noticed, down to half a pixel, where the drawing is met so many times better without.
 LEAST_NOTICEABLE, CLEARLY = 0.0007, 3.0
+#: Of two readings the one with more freedoms follows a drawing better; by chance alone so much
+#: better with at least this probability.
+USUAL_CHANCE = 0.01
 #: How many observations the knowledge of how people draw counts for.
 USUAL_COUNT = 6
 #: A careless hand strays so far.
@@ -135,3 +138,13 @@ def contradicts(whole: Reading, part: Reading) -> bool:
     by_itself = fdtrc(freed, spare, gain / (left / spare))
     as_drawn = fdtrc(freed, USUAL_COUNT + spare, gain / usual)
     return bool(by_itself < CHANCE or as_drawn < CHANCE_AS_DRAWN)
+
+
+def as_well(less: Reading, more: Reading) -> bool:
+    """Whether a reading with fewer freedoms follows a drawing as well as chance lets one expect."""
+    freed, spare = more.n_free - less.n_free, more.n_observed - more.n_free
+    if freed < 1 or spare < 1 or not less.plausible:
+        return False
+    left = more.misfit + more.n_observed * FINEST**2
+    gain = max(less.misfit - more.misfit, 0.0) / freed
+    return bool(fdtrc(freed, spare, gain / (left / spare)) > USUAL_CHANCE)

@@ -17,7 +17,6 @@ import numpy as np
 from .annotations import Angle, Diameter, Length, targets_of
 from .candidates import Candidate, drawing_rms, drawn_diagonal, lift_near, reading_of
 from .diagnosis import (
-    COMPARABLE,
     MANY_UNKNOWNS,
     MAX_TRIED,
     MAX_UNKNOWNS,
@@ -170,12 +169,11 @@ def blame_by_relief(
     """
     whole = reading_of(graph, lifted)
     trials = _Trials(graph, whole, KnownShape.at(lifted.full, lifted.minimum.x), stop, afresh)
-    suspects = relieving(graph, lifted, whole, far=trials.far)[:MAX_TRIED]
-    for id_, _ in suspects:
+    for id_, _ in relieving(graph, lifted, whole, far=trials.far)[:MAX_TRIED]:
         trials.near(id_)
     if trials.far and trials.explained():
         # From here the shape without a rival may be out of reach.
-        trials.lost_ones_afresh(suspects)
+        trials.lost_ones_afresh()
     return _blame_of(graph, lifted.problem, trials)
 
 
@@ -198,15 +196,13 @@ def find_blame(
     """
     whole, shape = reading_of(graph, lifted), KnownShape.at(lifted.full, lifted.minimum.x)
     trials = _Trials(graph, whole, shape, stop, afresh)
-    suspects: list[tuple[str, float]] = []
     for relaxed in relax(graph, lifted.problem, lifted.minimum.x, stop, lost=lost):
         trials = replace(trials, known=relaxed.shape)
-        suspects = [(s.id, s.weight) for s in relaxed.suspects]
-        convict(suspects, trials.near)
+        convict([(s.id, s.weight) for s in relaxed.suspects], trials.near)
         if not trials.far or trials.explained():
             break
     if trials.far:
-        trials.lost_ones_afresh(suspects)
+        trials.lost_ones_afresh()
     return _blame_of(graph, lifted.problem, trials)
 
 
@@ -246,25 +242,22 @@ class _Trials:
             return None
         return self._seen(id_, lift_near(without(self.graph, id_), self.known, self.stop))
 
-    def lost_ones_afresh(self, suspects: list[tuple[str, float]]) -> None:
+    def lost_ones_afresh(self) -> None:
         """Begun from nothing where no good shape was found nearby, until one explains the drawing.
 
-        Where one does already, rivals only: those of which first sight said nearly as much, and
-        all where what explains it leaves more open than one number, with which much is explained.
+        Where one does already, the others only if it leaves more open than one number, with which
+        much is explained.
         """
         explained = self.explained()
-        heavy = COMPARABLE * max((weight for _, weight in suspects), default=0.0)
-        if explained and best_first(self.readings.items())[0][1].n_free > self.whole.n_free + 1:
-            heavy = 0.0
-        rivals = {id_ for id_, weight in suspects[:MOST_SUSPECTS] if weight >= heavy}
+        if explained and best_first(self.readings.items())[0][1].n_free <= self.whole.n_free + 1:
+            return
         for id_ in list(self.shapes):
             reading = self.readings.get(id_)
             if self.stop() or (reading is not None and reading.explains):
                 continue
-            if not explained or id_ in rivals:
-                again = self._seen(id_, self.afresh(id_))
-                if not explained and again is not None and again.explains:
-                    break
+            again = self._seen(id_, self.afresh(id_))
+            if not explained and again is not None and again.explains:
+                break
 
     def _seen(self, id_: str, found: Candidate | None) -> Reading | None:
         reading = None if found is None else reading_of(without(self.graph, id_), found)

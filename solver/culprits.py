@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import partial
+from dataclasses import dataclass, field
 
 from .annotations import Angle, Diameter, Length
 from .blaming import (
@@ -54,16 +54,17 @@ def lift_or_blame(
     lifted = lifted or lift(core, structure, effort, wary=True)
     if lifted is None or effort.stopped:
         return lifted, None
-    relieved, leaning = _at_first_sight(core, lifted, effort), None
+    rest = _Rest(core, effort)
+    relieved, leaning = _at_first_sight(core, lifted, rest), None
     if relieved is None or not relieved.clear:
         lifted, leaning = _with_lean(core, structure, lifted, effort)
     if effort.stopped or _is_fine(core, lifted):
         return leaning or lifted, None
     effort.doing("looking for annotations that disagree")
-    blamed = _most_to_blame(core, lifted, relieved, effort)
+    blamed = _most_to_blame(core, lifted, relieved, rest)
     if effort.stopped:
         return lifted, None
-    if leaning is not None and _explains(core, leaning, lifted, blamed, effort):
+    if leaning is not None and _explains(core, leaning, lifted, blamed, rest):
         return leaning, None
     wished = _as_wished(core, structure, lifted, blamed, effort)
     if wished is not None:
@@ -72,7 +73,7 @@ def lift_or_blame(
     if effort.stopped:
         return lifted, None
     if blamed is not None and not blamed.held:
-        other = _lift_without(core, blamed.ids[0], effort=effort)
+        other = rest.lifted(blamed.ids[0])
     if other is not None and not other.doubtful:
         return other, blamed
     # What was found at first sight only is finished.
@@ -86,23 +87,22 @@ def lift_or_blame(
     return lifted, blamed
 
 
-def _at_first_sight(core: SketchGraph, lifted: Lifted, effort: Effort) -> Blame | None:
+def _at_first_sight(core: SketchGraph, lifted: Lifted, rest: _Rest) -> Blame | None:
     """What a first look that misses the drawing by far shows already."""
     if not lifted.doubtful:
         return None
-    return blame_by_relief(core, lifted, effort, partial(_lift_without, core, effort=effort))
+    return blame_by_relief(core, lifted, rest.effort, rest.lifted)
 
 
 def _most_to_blame(
-    core: SketchGraph, lifted: Lifted, relieved: Blame | None, effort: Effort
+    core: SketchGraph, lifted: Lifted, relieved: Blame | None, rest: _Rest
 ) -> Blame | None:
     """Looked for from here, and from other beginnings where that does not explain the drawing."""
-    afresh = partial(_lift_without, core, effort=effort)
     if relieved is None and not lifted.doubtful:
-        relieved = blame_by_relief(core, lifted, effort, afresh)
+        relieved = blame_by_relief(core, lifted, rest.effort, rest.lifted)
     if relieved is not None and relieved.explains:
         return relieved
-    found = find_blame(core, lifted, effort, afresh, lost=lifted.doubtful)
+    found = find_blame(core, lifted, rest.effort, rest.lifted, lost=lifted.doubtful)
     either = [b for b in (relieved, found) if b is not None]
     return min(either, key=lambda b: b.information, default=None)
 
@@ -122,7 +122,7 @@ def _with_lean(
 
 
 def _explains(
-    core: SketchGraph, leaning: Lifted, lifted: Lifted, blamed: Blame | None, effort: Effort
+    core: SketchGraph, leaning: Lifted, lifted: Lifted, blamed: Blame | None, rest: _Rest
 ) -> bool:
     """Whether a hand that leans explains the drawing better than a false annotation."""
     found = leaning_reading(core, leaning, lifted)
@@ -131,7 +131,7 @@ def _explains(
     if found.rms > CAREFUL_RMS and found.information >= blamed.information:
         return False
     # Without it the drawing may be met better than was seen from nearby, to the last digits even.
-    other = _lift_without(core, blamed.ids[0], effort=effort)
+    other = rest.lifted(blamed.ids[0])
     if other is None or other.doubtful:
         return True
     best = reading_of(without(core, blamed.ids[0]), other)
@@ -170,34 +170,33 @@ def _is_fine(core: SketchGraph, lifted: Lifted) -> bool:
 def lift_without_culprit(core: SketchGraph, effort: Effort) -> tuple[Lifted | None, Blame]:
     """The shape without the culprit, where annotations cannot all hold; none where it is lost."""
     effort.doing("looking for annotations that disagree")
-    kept: dict[str, Lifted] = {}
+    rest = _Rest(core, effort)
 
     def attempt(id_: str) -> Reading | None:
-        lifted = None if effort.stopped else _lift_without(core, id_, effort=effort)
+        lifted = None if effort.stopped else rest.lifted(id_)
         if lifted is None or lifted.doubtful:
             return None
-        kept[id_] = lifted
         return reading_of(without(core, id_), lifted)
 
     clash = find_clash(core, effort)
-    together = None if clash.culprits else _without_several(core, effort)
+    together = None if clash.culprits else _without_several(core, rest)
     if together is not None:
         return together
     blamed = blame_for_clash(core, clash, attempt)
     first = blamed.ids[0]
-    lifted = kept.get(first) or _lift_without(core, first, effort=effort)
+    lifted = rest.lifted(first)
     if lifted is None and not effort.stopped:
-        lifted = _lift_without(core, *_several_culprits(core, first, effort), effort=effort)
+        lifted = rest.lifted(*_several_culprits(core, first, effort))
     return None if lifted is None or lifted.doubtful else lifted, blamed
 
 
-def _without_several(core: SketchGraph, effort: Effort) -> tuple[Lifted, Blame] | None:
+def _without_several(core: SketchGraph, rest: _Rest) -> tuple[Lifted, Blame] | None:
     """The shape without a few that are false together, where the drawing shows which these are."""
     ids: list[str] = []
-    for id_ in false_together(core, effort)[:MAX_CULPRITS]:
+    for id_ in false_together(core, rest.effort)[:MAX_CULPRITS]:
         ids.append(id_)
         if len(ids) > 1 and not disagree(without(core, *ids)):
-            lifted = _lift_without(core, *ids, effort=effort)
+            lifted = rest.lifted(*ids)
             if lifted is not None and not lifted.doubtful:
                 return lifted, blame_for_several(tuple(ids))
     return None
@@ -213,13 +212,26 @@ def _several_culprits(core: SketchGraph, first: str, effort: Effort) -> list[str
     return ids
 
 
-def _lift_without(core: SketchGraph, *ids: str, effort: Effort) -> Lifted | None:
-    rest = without(core, *ids)
-    structure = build_structure(rest)
-    if disagree(rest) or structure.n_coordinates > MAX_COORDINATES:
-        return None
-    conditions = conditions_of(rest, structure)
-    if conditions * structure.n_coordinates > MAX_NUMBERS:
-        return None
-    effort.weigh(structure.n_coordinates, conditions)
-    return lift(rest, structure, effort, wary=True)
+@dataclass(frozen=True, slots=True, eq=False)
+class _Rest:
+    """The sketch without some annotations, lifted from nothing: each such shape once."""
+
+    core: SketchGraph
+    effort: Effort
+    known: dict[tuple[str, ...], Lifted | None] = field(default_factory=dict)
+
+    def lifted(self, *ids: str) -> Lifted | None:
+        """None where the others clash as well, or are too many."""
+        if ids not in self.known:
+            self.known[ids] = self._lifted(without(self.core, *ids))
+        return self.known[ids]
+
+    def _lifted(self, rest: SketchGraph) -> Lifted | None:
+        structure = build_structure(rest)
+        if disagree(rest) or structure.n_coordinates > MAX_COORDINATES:
+            return None
+        conditions = conditions_of(rest, structure)
+        if conditions * structure.n_coordinates > MAX_NUMBERS:
+            return None
+        self.effort.weigh(structure.n_coordinates, conditions)
+        return lift(rest, structure, self.effort, wary=True)

@@ -92,7 +92,11 @@ def build_structure(
         axes = _axes(graph, topology, _kept_directions(topology))
         return _kept_sharing(topology, _kept_directions(topology), *axes)
     topology = topology_with(graph, annotations)
-    directions = direction_classes(topology)
+    return structure_along(graph, topology, direction_classes(topology))
+
+
+def structure_along(graph: SketchGraph, topology: Topology, directions: Directions) -> Structure:
+    """The same where it is known already which directions there are."""
     return _share(topology, directions, *_axes(graph, topology, directions))
 
 

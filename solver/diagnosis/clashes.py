@@ -15,9 +15,11 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from ..annotations import Annotation, Diameter, EqualLength, Length, targets_of
+from ..directions import direction_classes
 from ..effort import asking, questions_within_reason
 from ..graph import SketchGraph
-from ..structure import build_structure
+from ..structure import build_structure, structure_along
+from ..topology import topology_of, topology_with
 from ..values import Stop, frozen_mapping, kept
 from .same_sizes import sizes_clash
 
@@ -77,8 +79,15 @@ def find_clash(graph: SketchGraph, stop: Stop | None = None) -> Clash:
 
 def disagree(graph: SketchGraph, annotations: Mapping[str, Annotation] | None = None) -> bool:
     """Whether reasoning alone finds that annotations cannot all hold; by default the graph's."""
-    structure = build_structure(graph, annotations)
-    return structure.contradiction or sizes_clash(graph, structure, annotations)
+    if annotations is None:
+        structure = build_structure(graph)
+        return structure.contradiction or sizes_clash(topology_of(graph), structure)
+    topology = topology_with(graph, annotations)
+    directions = direction_classes(topology)
+    if directions.contradiction:
+        return True
+    structure = structure_along(graph, topology, directions)
+    return structure.contradiction or sizes_clash(topology, structure)
 
 
 def clashing_annotations(graph: SketchGraph) -> tuple[str, ...]:

@@ -2,25 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 
 import numpy as np
 
-from ..annotations import Annotation
-from ..graph import SketchGraph
 from ..structure import Structure
-from ..topology import Topology, topology_of, topology_with
+from ..topology import Topology
 from ..union_find import UnionFind
 
 #: Sizes that differ by less than this part are the same, typed in other units.
 SAME_SIZE = 1e-9
 
 
-def sizes_clash(
-    graph: SketchGraph,
-    structure: Structure,
-    annotations: Mapping[str, Annotation] | None = None,
-) -> bool:
+def sizes_clash(topology: Topology, structure: Structure) -> bool:
     """Whether two sizes are said of what is equally large.
 
     Edges are equally long where it is said, and where they join the same two shared coordinates
@@ -28,13 +22,10 @@ def sizes_clash(
 
     Parameters
     ----------
-    graph : SketchGraph
+    topology : Topology
     structure : Structure
-        Of the graph with these annotations.
-    annotations : mapping of id to Annotation, optional
-        Those that are said; by default all of the graph's.
+        Of it.
     """
-    topology = topology_of(graph) if annotations is None else topology_with(graph, annotations)
     diameters = [(a.circle, a.diameter_mm) for _, a in topology.by_kind["diameter"]]
     if _differ(diameters):
         return True

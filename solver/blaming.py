@@ -27,6 +27,7 @@ from .diagnosis import (
     best_first,
     contradicts,
     convict,
+    is_undecided,
     leftover_suspects,
     relax,
     reliefs,
@@ -55,6 +56,8 @@ CLEAR_RMS = 0.0035
 WORTH_A_TRY = 0.05
 #: Readings whose information differs by less explain a drawing equally well.
 TIE = 0.5
+#: Of what is drawn so small a part, left over to check a shape, leaves several that nearly fit.
+BARELY = 0.25
 Afresh = Callable[[str], Candidate | None]
 
 
@@ -70,8 +73,8 @@ class Blame:
         A sentence for people.
     held : bool
         Whether all annotations hold all the same, and only the drawing is not followed.
-    information : float
-        Of the reading without the first (`Reading.information`).
+    best : Reading or None
+        Without the first, where that was solved.
     explains : bool
         Whether the drawing is followed without it, and nothing speaks against the rest any more.
     clear : bool
@@ -81,9 +84,21 @@ class Blame:
     ids: tuple[str, ...]
     message: str
     held: bool
-    information: float = math.inf
+    best: Reading | None = None
     explains: bool = False
     clear: bool = False
+
+    @property
+    def information(self) -> float:
+        """Of the best reading (`Reading.information`)."""
+        return math.inf if self.best is None else self.best.information
+
+    @property
+    def is_barely_checked(self) -> bool:
+        """Whether so much was left open that a search may have ended at another shape."""
+        if self.best is None:
+            return False
+        return self.best.n_observed - self.best.n_free < BARELY * self.best.n_observed
 
 
 def is_doubtful(graph: SketchGraph, lifted: Candidate) -> bool:
@@ -137,7 +152,7 @@ def relieving(
         The likeliest first.
     """
     unit = drawn_diagonal(lifted.problem) ** 2 * max(whole.misfit, 1e-300)
-    found = []
+    found, among = [], len(graph.annotations)
     enough: dict[int, bool] = {}
     for relief in reliefs(graph, lifted.full, lifted.minimum.x):
         freed = max(1, relief.freed)
@@ -148,7 +163,7 @@ def relieving(
         n_free = whole.n_free + freed
         misfit = whole.misfit * (1 - goes)
         part = replace(whole, misfit=misfit, n_free=n_free, plausible=True, converged=True)
-        enough[freed] = (far and goes > WORTH_A_TRY) or contradicts(whole, part)
+        enough[freed] = (far and goes > WORTH_A_TRY) or contradicts(whole, part, among)
         if enough[freed]:
             found.append((part.information, relief.id, goes))
     return [(id_, goes) for _, id_, goes in sorted(found)]
@@ -236,6 +251,11 @@ class _Trials:
             self.alone[shape] = not relieving(without(self.graph, id_), shape, reading)
         return self.alone[shape]
 
+    def leaves_open(self, id_: str) -> bool:
+        """Whether it was only an annotation that fixes what is open without it."""
+        shape = self.shapes[id_]
+        return shape is not None and is_undecided(self.graph, id_, shape.full, shape.minimum.x)
+
     def near(self, id_: str) -> Reading | None:
         """Begun from the shape that is known."""
         if self.stop():
@@ -269,14 +289,18 @@ class _Trials:
 
 
 def _blame_of(graph: SketchGraph, problem: Problem, trials: _Trials) -> Blame | None:
-    whole = trials.whole
-    against = [(i, r) for i, r in best_first(trials.readings.items()) if contradicts(whole, r)]
+    whole, among = trials.whole, len(graph.annotations)
+    against = [
+        (id_, reading)
+        for id_, reading in best_first(trials.readings.items())
+        if contradicts(whole, reading, among) and not trials.leaves_open(id_)
+    ]
     # With the right shape in sight, perhaps all annotations hold.
     near = trials.shapes[against[0][0]] if against else None
     again = None if near is None else _reading_again(graph, near, trials.stop)
     if again is not None and again.misfit < whole.misfit:
         whole = again
-        against = [(id_, r) for id_, r in against if contradicts(whole, r)]
+        against = [(id_, r) for id_, r in against if contradicts(whole, r, among)]
     return _blame(graph, problem, whole, against, trials.explained()) if against else None
 
 
@@ -303,7 +327,7 @@ def _blame(
             ids,
             f"Solved, but {_or(ids)} contradicts the drawing: {missed}.",
             True,
-            information=best.information,
+            best=best,
             explains=explains,
             clear=clear,
         )
@@ -311,7 +335,7 @@ def _blame(
         ids,
         f"{_or(ids)} contradicts the rest: {missed}. Solved without {ids[0]}.",
         False,
-        information=best.information,
+        best=best,
         explains=explains,
         clear=clear,
     )

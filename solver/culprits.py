@@ -28,7 +28,7 @@ from .graph import SketchGraph
 from .leaning import as_leaning, leaning_reading
 from .lifting import Lifted, lift
 from .problem import conditions_of
-from .starting.rescuing import lift_as_guessed, rescued
+from .starting.rescuing import found_otherwise, lift_as_guessed, rescued
 from .structure import Structure, build_structure
 from .values import Stop
 from .wishes import drawn_shape, fulfilled, proportions_of
@@ -66,6 +66,10 @@ def lift_or_blame(
         return lifted, None
     if leaning is not None and _explains(core, leaning, lifted, blamed, rest):
         return leaning, None
+    if blamed is not None and blamed.is_barely_checked:
+        other = found_otherwise(core, lifted, effort)
+        if other is not None and reading_of(core, other).explains:
+            return other, None
     wished = _as_wished(core, structure, lifted, blamed, effort)
     if wished is not None:
         return wished

@@ -17,6 +17,7 @@ from .suspects import (
     relax,
     spring_stiffness,
 )
+from .undecided import is_undecided
 from .unmet import size_of, unmet_annotations
 
 __all__ = [
@@ -42,6 +43,7 @@ __all__ = [
     "find_clash",
     "focal_sigma",
     "freedoms",
+    "is_undecided",
     "leftover_suspects",
     "most_helpful_corner",
     "pose_in",

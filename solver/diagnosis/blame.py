@@ -22,7 +22,8 @@ LEAST_TRIED, MAX_TRIED, MOST_TRIED = 2, 4, 12
 COMPARABLE = 0.25
 #: An annotation counts as contradicting the drawing where chance would do as much with this
 #: probability, and the drawing is missed by at least this part of its diagonal (RMS): half a pixel.
-CHANCE, CHANCE_AS_DRAWN = 1e-5, 2e-3
+#: Where how people draw is counted in, this is the chance that any one of all does so.
+CHANCE, CHANCE_AS_DRAWN = 1e-5, 0.01
 NOTICEABLE = 0.005
 #: Among many vertices as well a few that are off: as much as eight would be by that.
 NOTICEABLE_FALL = 8 * NOTICEABLE**2
@@ -116,11 +117,18 @@ def best_first(tried: Iterable[tuple[str, Reading]]) -> list[tuple[str, Reading]
     return sorted(tried, key=lambda t: (not t[1].plausible, t[1].information))
 
 
-def contradicts(whole: Reading, part: Reading) -> bool:
+def contradicts(whole: Reading, part: Reading, among: int) -> bool:
     """Whether leaving an annotation out brings more than chance would (F tests).
 
     The misfit without it is measured against what is left over, and, as small sketches leave little
     over, against how people draw.
+
+    Parameters
+    ----------
+    whole, part : Reading
+        With it and without.
+    among : int
+        How many annotations might have been left out: of many some one fits better by chance.
     """
     freed = max(1, part.n_free - whole.n_free)
     spare = part.n_observed - part.n_free
@@ -137,7 +145,7 @@ def contradicts(whole: Reading, part: Reading) -> bool:
     usual = (HAND_SIGMA**2 / 2 * USUAL_COUNT + left) / (USUAL_COUNT + spare)
     by_itself = fdtrc(freed, spare, gain / (left / spare))
     as_drawn = fdtrc(freed, USUAL_COUNT + spare, gain / usual)
-    return bool(by_itself < CHANCE or as_drawn < CHANCE_AS_DRAWN)
+    return bool(by_itself < CHANCE or as_drawn < CHANCE_AS_DRAWN / max(1, among))
 
 
 def as_well(less: Reading, more: Reading) -> bool:

@@ -21,7 +21,7 @@ from ..full import FullProblem, Pose
 from ..graph import SketchGraph
 from ..values import Array
 from .definite import safe_inverse
-from .suspects import MAX_UNKNOWNS, row_owners, rows_of_owners, softened
+from .suspects import MAX_UNKNOWNS, row_owners, rows_of_owners, softened, unshared
 
 #: How many times stiffer than the drawing conditions are taken to be: digits enough for both.
 STIFFER = 1e5
@@ -65,7 +65,7 @@ def reliefs(graph: SketchGraph, full: FullProblem, x: Pose) -> list[Relief]:
     if 3 * (len(full.problem.points) + len(full.problem.circles)) > MAX_UNKNOWNS:
         return []
     soft = softened(graph, full.problem).with_prior(full.prior)
-    at = soft.evaluate(_unshared(soft, full, x))
+    at = soft.evaluate(unshared(soft, full, x))
     if not len(at.h):
         return []
     steepest = np.einsum("ij,ij->j", at.H, at.H).max()
@@ -123,11 +123,3 @@ def _few_rows(H: Array, h: Array) -> tuple[Array, Array, float]:
         return H, h, 0.0
     R = np.asarray(np.linalg.qr(np.column_stack([H, h]), mode="r"))
     return R[:n, :n], R[:n, n], float(R[n, n] ** 2)
-
-
-def _unshared(soft: FullProblem, full: FullProblem, x: Pose) -> Pose:
-    """The same shape where no coordinate is shared."""
-    structure, g = soft.problem.structure, np.zeros(soft.m)
-    g[structure.coordinate] = full.positions(x)
-    g[structure.radius] = x.g[full.problem.structure.radius]
-    return Pose(x.R, x.log_focal, g)

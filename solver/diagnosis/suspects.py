@@ -177,7 +177,7 @@ def spring_stiffness(problem: Problem) -> float:
 def softened(graph: SketchGraph, problem: Problem) -> FullProblem:
     """The soft problem: no coordinate is shared but those of circles on one axis."""
     tied = problem.structure
-    coordinate = _unshared(graph, tied)
+    coordinate = _own_coordinates(graph, tied)
     n_free = int(coordinate.max(initial=-1)) + 1
     free: Structure = replace(
         tied,
@@ -200,7 +200,15 @@ def softened(graph: SketchGraph, problem: Problem) -> FullProblem:
     return FullProblem(build_problem(graph, free), prior)
 
 
-def _unshared(graph: SketchGraph, tied: Structure) -> IntArray:
+def unshared(soft: FullProblem, full: FullProblem, x: Pose) -> Pose:
+    """The same shape where no coordinate is shared."""
+    structure, g = soft.problem.structure, np.zeros(soft.m)
+    g[structure.coordinate] = full.positions(x)
+    g[structure.radius] = x.g[full.problem.structure.radius]
+    return Pose(x.R, x.log_focal, g)
+
+
+def _own_coordinates(graph: SketchGraph, tied: Structure) -> IntArray:
     """Coordinates of all points, each its own; that circles stand on one axis nobody annotated."""
     coordinate = np.arange(tied.coordinate.size).reshape(tied.coordinate.shape)
     centre = {c: len(graph.vertices) + k for k, c in enumerate(graph.circles)}

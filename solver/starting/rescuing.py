@@ -44,10 +44,21 @@ def rescued(graph: SketchGraph, lifted: Candidate, stop: Stop) -> Lifted | None:
 
     def found() -> Iterator[Near | None]:
         yield from _near_guesses(graph, lifted.problem, stop)
-        for near in beginnings(graph, lifted.problem, lifted.minimum.x, stop):
-            yield near_to(graph, near, stop)
+        yield from _where_all_give_way(graph, lifted, stop)
 
     return _finished(graph, _first_good(graph, found(), stop), stop)
+
+
+def found_otherwise(graph: SketchGraph, lifted: Candidate, stop: Stop) -> Lifted | None:
+    """The same without guesses; where much is open, a search may end at what hardly fits."""
+    return _finished(
+        graph, _first_good(graph, _where_all_give_way(graph, lifted, stop), stop), stop
+    )
+
+
+def _where_all_give_way(graph: SketchGraph, lifted: Candidate, stop: Stop) -> Iterator[Near | None]:
+    for near in beginnings(graph, lifted.problem, lifted.minimum.x, stop):
+        yield near_to(graph, near, stop)
 
 
 def _first_good(graph: SketchGraph, found: Iterator[Near | None], stop: Stop) -> Near | None:

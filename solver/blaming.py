@@ -27,6 +27,7 @@ from .diagnosis import (
     best_first,
     contradicts,
     convict,
+    freedoms,
     is_undecided,
     leftover_suspects,
     relax,
@@ -371,7 +372,8 @@ def likeliest_first(
 def suspicion(graph: SketchGraph, lifted: Candidate, stop: Stop) -> Blame | None:
     """What to look at first where the drawing is grossly missed and nothing explains why."""
     rms = drawing_rms(lifted)
-    if rms <= GROSS_RMS:
+    names = [*graph.vertices, *graph.circles]
+    if rms <= GROSS_RMS or freedoms(lifted.full, lifted.minimum.x, names).count:
         return None
     relaxed = next(relax(graph, lifted.problem, lifted.minimum.x, stop, lost=True), None)
     if relaxed is None or not relaxed.suspects:

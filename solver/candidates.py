@@ -24,11 +24,8 @@ from .structure import build_structure
 from .values import Stop
 from .world import camera_above_ground, ground_indices, is_upright, nothing_sinks
 
-#: Iterations from a shape that is known already: to see whether it leads anywhere, and in all.
-FIRST_ITERATIONS, NEAR_ITERATIONS = 12, 40
-#: Where these miss the drawing by more than this (RMS, parts of its diagonal), and the last one
-#: gained less than this part of what is missed, no more will do.
-HOPELESS_RMS, SLOW_GAIN = 0.03, 0.05
+#: Iterations from a shape that is known already.
+NEAR_ITERATIONS = 40
 #: Constraints whose residuals (radians, parts of a length) are below this hold.
 HELD = 1e-8
 #: Parts so many times nearer or farther than the rest have flown off.
@@ -115,24 +112,10 @@ def lift_near(graph: SketchGraph, near: KnownShape, stop: Stop) -> Near | None:
     problem = build_problem(graph, structure)
     full = FullProblem(problem, None)
     start = pose_near(problem, near)
-    minimum = minimise(full, start, max_iterations=FIRST_ITERATIONS, enough=1e-6, stop=stop)
-    found = Near(problem, full, minimum, camera_above_ground(graph, problem, minimum.x))
-    hopeless = minimum.gain < SLOW_GAIN * minimum.cost and drawing_rms(found) > HOPELESS_RMS
-    if not (minimum.converged or hopeless):
-        minimum = minimise(
-            full,
-            minimum.x,
-            max_iterations=NEAR_ITERATIONS - minimum.iterations,
-            enough=1e-6,
-            near=True,
-            damping=minimum.damping,
-            gained=minimum.gain,
-            stop=stop,
-        )
-        found = replace(
-            found, minimum=minimum, above=camera_above_ground(graph, problem, minimum.x)
-        )
-    return found if np.isfinite(minimum.cost) else None
+    minimum = minimise(full, start, max_iterations=NEAR_ITERATIONS, enough=1e-6, stop=stop)
+    if not np.isfinite(minimum.cost):
+        return None
+    return Near(problem, full, minimum, camera_above_ground(graph, problem, minimum.x))
 
 
 def is_settled(lifted: Candidate) -> bool:

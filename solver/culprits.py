@@ -67,8 +67,8 @@ def lift_or_blame(
     if leaning is not None and _explains(core, leaning, lifted, blamed, rest):
         return leaning, None
     if blamed is not None and blamed.is_barely_checked:
-        other = found_otherwise(core, lifted, effort)
-        if other is not None and reading_of(core, other).explains:
+        other = _found_after_all(core, structure, lifted, effort)
+        if other is not None:
             return other, None
     wished = _as_wished(core, structure, lifted, blamed, effort)
     if wished is not None:
@@ -123,6 +123,17 @@ def _with_lean(
     if whole is None or not _is_fine(core, whole):
         return lifted, leaning
     return whole, as_leaning(core, whole, effort)
+
+
+def _found_after_all(
+    core: SketchGraph, structure: Structure, lifted: Lifted, effort: Effort
+) -> Lifted | None:
+    """A shape that all annotations hold for and that follows the drawing, looked for at length."""
+    whole = lift(core, structure, effort) if lifted.doubtful else None
+    if whole is not None and is_settled(whole) and reading_of(core, whole).explains:
+        return whole
+    other = found_otherwise(core, whole or lifted, effort)
+    return other if other is not None and reading_of(core, other).explains else None
 
 
 def _explains(

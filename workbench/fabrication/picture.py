@@ -9,15 +9,15 @@ from itertools import pairwise
 import numpy as np
 from PIL import Image, ImageDraw
 
-from ...solver.annotations import Ground, RightAngle
+from ...solver.annotations import Ground
 from ...solver.graph import Ellipse, SketchGraph
 from ...solver.solution import Solution
 from ...solver.values import Array
+from .annotation_marks import BLUE, AnnotationMarks
 from .rendering import Scene, render
 from .strokes import text_strokes, text_width_mm
 
 PANEL_HEIGHT_PX = 720
-BLUE = (28, 92, 214)
 GREEN = (24, 150, 72)
 ORANGE = (226, 122, 24)
 GREY = (110, 110, 110)
@@ -110,16 +110,15 @@ class _SketchPainter:
     ) -> None:
         self.graph, self.draw = graph, draw
         self.at = {v: scale * np.array(p) + shift for v, p in graph.vertices.items()}
-        self.scale, self.shift = scale, shift
+        self.circles = {c: scale * _ellipse(e) + shift for c, e in graph.circles.items()}
 
     def paint(self) -> None:
-        """Marks, then lines, then vertices."""
+        """Right angles, then lines, then vertices, then what else is said."""
         graph = self.graph
-        marks = [a for a in graph.annotations.values() if isinstance(a, RightAngle)]
-        for mark in marks:
-            self._right_angle(mark)
-        for id_, circle in graph.circles.items():
-            self._line(_ellipse(circle) * self.scale + self.shift, id_)
+        marks = AnnotationMarks(graph, self.draw, self.at, self.circles, _SUPER)
+        marks.below_lines()
+        for id_, outline in self.circles.items():
+            self._line(outline, id_)
         for id_, (v, w) in graph.edges.items():
             self._line([self.at[v], self.at[w]], id_)
         ground = {
@@ -127,6 +126,7 @@ class _SketchPainter:
         }
         for v, spot in self.at.items():
             self._dot(spot, GREEN if v in ground else BLUE)
+        marks.on_lines()
 
     def _line(self, points: Iterable[Array], id_: str) -> None:
         drawn = [(float(x), float(y)) for x, y in points]
@@ -148,23 +148,6 @@ class _SketchPainter:
             r = radius * _SUPER
             x, y = float(spot[0]), float(spot[1])
             self.draw.ellipse((x - r, y - r, x + r, y + r), fill=fill)
-
-    def _right_angle(self, mark: RightAngle) -> None:
-        corner = self.at[mark.at]
-        arms = [self._arm(mark.at, edge) for edge in mark.between]
-        lengths = [float(np.linalg.norm(arm)) for arm in arms]
-        if min(lengths) < 1e-6:
-            return
-        # A small square along the two edges, never longer than a third of the shorter one.
-        size = min(14.0 * _SUPER, min(lengths) / 3)
-        a, b = (arm * size / length for arm, length in zip(arms, lengths, strict=True))
-        points = [tuple(map(float, p)) for p in (corner + a, corner + a + b, corner + b)]
-        self.draw.line(points, fill="white", width=round(3.4 * _SUPER))
-        self.draw.line(points, fill=BLUE, width=round(1.4 * _SUPER))
-
-    def _arm(self, vertex: str, edge: str) -> Array:
-        v, w = self.graph.edges[edge]
-        return self.at[w if v == vertex else v] - self.at[vertex]
 
 
 def _ellipse(circle: Ellipse) -> Array:

@@ -38,6 +38,9 @@ def test_a_door_on_the_border_of_its_wall_is_a_plate_of_its_own(gable, as_hole, 
     # At right angles, or in one plane with it, it is one plate with its wall.
     door = next(plate for plate in joined.plates if "door" in plate.face_ids)
     assert door.face_ids == (("door",) if gable else ("front", "door"))
+    if gable:
+        # Where the porch's corners meet the wall, the wall fills the space between its fingers.
+        assert not next(plate for plate in joined.plates if plate.id == "front").holes
 
 
 @pytest.mark.parametrize("gable", [False, True])

@@ -310,16 +310,18 @@ def _outline(
     wall = walls[w]
     added, removed = [], []
     for r, ring in enumerate(edges[w]):
+        ends = [bands[w, r, e] if edge.seam is not None else None for e, edge in enumerate(ring)]
+        owned = [band is None or band.owner == w for band in ends]
         for e, edge in enumerate(ring):
-            before, after = ring[e - 1], ring[(e + 1) % len(ring)]
+            before, after, band = ring[e - 1], ring[(e + 1) % len(ring)], ends[e]
             if edge.tip < 0:
                 added.append(_strip(edge, before, after, (edge.tip, 0.0), reach="tips"))
-            band = bands[w, r, e] if edge.seam is not None else None
+                if before.tip < 0 and owned[e] and owned[e - 1]:
+                    added.append(_corner(edge, before))
             if edge.tip > 0:
                 # Behind a corner that looks inwards nothing sticks out; there only others' ends
                 # need room.
-                own = band is None or band.owner == w
-                reach = "tip" if own else "notch"
+                reach = "tip" if owned[e] else "notch"
                 removed.append(_strip(edge, before, after, (0.0, edge.tip), reach=reach))
             if band is not None:
                 removed += _lost(edge, before, after, band, owner=band.owner == w)
@@ -333,6 +335,14 @@ def _outline(
     cut = without(whole, wider(together(removed)))
     parts = [part for part in shapely.get_parts(cut) if part.area > 1e-4]
     return shapely.union_all(parts)
+
+
+def _corner(edge: _Edge, before: _Edge) -> Polygon:
+    """What two widened edges share at their corner: strips leave it open where it looks inwards."""
+    corners = ((0.0, 0.0), (0.0, before.tip), (edge.tip, before.tip), (edge.tip, 0.0))
+    return edge.area(
+        [(_meeting(edge, x, before, depth, at_end=False), x) for x, depth in corners]
+    ).buffer(0)
 
 
 def _lost(edge: _Edge, before: _Edge, after: _Edge, band: _Band, *, owner: bool) -> list[Polygon]:

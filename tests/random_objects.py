@@ -1,12 +1,12 @@
-"""Random objects that belong to no family of `incontext.solver.synthetic`, whose truth is known."""
+"""Random objects in no family of the benchmark, with what a person would say of them."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from itertools import product
 
 import numpy as np
+from polycubes import polycube
 
 from incontext.solver.annotations import (
     Annotation,
@@ -16,109 +16,33 @@ from incontext.solver.annotations import (
     SymmetryPlane,
 )
 from incontext.solver.graph import Face
-from incontext.solver.synthetic import Shape, box, from_loops, prism
+from incontext.solver.synthetic import Photograph, Shape, box, from_loops, photograph, prism
 from incontext.solver.synthetic.shapes import BOX_LOOPS, v
 
-Cells = set[tuple[int, int, int]]
+Edge = Callable[[int, int], str]
+CORNERS = ((0, 0), (1, 0), (1, 1), (0, 1))
 
 
-def polycube(rng: np.random.Generator) -> Shape:
-    """Blocks joined face to face on the ground, rows of random widths; outlines only."""
-    while True:
-        shape = _outlines(_grown(rng, int(rng.integers(3, 7))), rng)
-        if shape is not None and 10 <= len(shape.X) <= 40:
-            return shape
+def upright(name: str, outline: Sequence[tuple[float, float]], height: float) -> Shape:
+    """A floor plan, and the same at a height."""
+    n = len(outline)
+    X = [(x, y, z) for z in (0, height) for x, y in outline]
+    sides = [(i, (i + 1) % n, n + (i + 1) % n, n + i) for i in range(n)]
+    return from_loops(name, X, [range(n), range(n, 2 * n), *sides])
 
 
-def _grown(rng: np.random.Generator, n: int) -> Cells:
-    cells = {(0, 0, 0)}
-    while len(cells) < n:
-        around = list(cells)
-        at = list(around[int(rng.integers(len(around)))])
-        at[int(rng.integers(3))] += int(rng.choice([-1, 1]))
-        if at[2] >= 0:
-            cells.add((at[0], at[1], at[2]))
-    return cells
+def _edges(shape: Shape) -> Edge:
+    """The edge between two vertices."""
+    edges = {frozenset(pair): f"e{k}" for k, pair in enumerate(shape.edges)}
+    return lambda a, b: edges[frozenset((a, b))]
 
 
-def _outlines(cells: Cells, rng: np.random.Generator) -> Shape | None:
-    """The faces of joined blocks; None where one has a hole or touches itself at a corner."""
-    loops: list[list[tuple[int, ...]]] = []
-    for axis, side in product(range(3), (0, 1)):
-        out = np.eye(3, dtype=int)[axis] * (2 * side - 1)
-        bare = [c for c in cells if tuple(np.add(c, out).tolist()) not in cells]
-        for level in {c[axis] for c in bare}:
-            flat = {c for c in bare if c[axis] == level}
-            while flat:
-                part = _connected(flat, axis)
-                flat -= part
-                loop = _outline(part, axis, side)
-                if loop is None:
-                    return None
-                loops.append(loop)
-    corners = sorted({p for loop in loops for p in loop})
-    index = {p: i for i, p in enumerate(corners)}
-    lines = [np.cumsum([0.0, *rng.uniform(40, 110, 16)]) for _ in range(3)]
-    X = [[lines[0][p[0] + 8], lines[1][p[1] + 8], lines[2][p[2]]] for p in corners]
-    split = [[index[p] for p in _with_points_between(loop, corners)] for loop in loops]
-    return from_loops("polycube", X, split)
-
-
-def _connected(flat: Cells, axis: int) -> Cells:
-    rim = [min(flat)]
-    found = set(rim)
-    while rim:
-        at = rim.pop()
-        for k, step in product({0, 1, 2} - {axis}, (-1, 1)):
-            to = list(at)
-            to[k] += step
-            cell = (to[0], to[1], to[2])
-            if cell in flat - found:
-                found.add(cell)
-                rim.append(cell)
-    return found
-
-
-def _outline(part: Cells, axis: int, side: int) -> list[tuple[int, ...]] | None:
-    i, j = (k for k in range(3) if k != axis)
-    follows: dict[tuple[int, ...], tuple[int, ...]] = {}
-    ways = [((0, 0), (1, 0)), ((1, 0), (1, 1)), ((1, 1), (0, 1)), ((0, 1), (0, 0))]
-    sides = {(_corner(c, axis, side, i, j, a), _corner(c, axis, side, i, j, b))
-             for c in part for a, b in ways}  # fmt: skip
-    for a, b in sides:
-        if (b, a) not in sides:
-            if a in follows:
-                return None
-            follows[a] = b
-    loop = [min(follows)]
-    while follows[loop[-1]] != loop[0]:
-        loop.append(follows[loop[-1]])
-    if len(loop) < len(follows):
-        return None
-    around = list(zip(loop[-1:] + loop[:-1], loop, loop[1:] + loop[:1], strict=True))
-    return [b for a, b, c in around if tuple(np.subtract(b, a)) != tuple(np.subtract(c, b))]
-
-
-def _corner(
-    c: tuple[int, int, int], axis: int, side: int, i: int, j: int, at: tuple[int, int]
-) -> tuple[int, ...]:
-    p = list(c)
-    p[axis] += side
-    p[i] += at[0]
-    p[j] += at[1]
-    return tuple(p)
-
-
-def _with_points_between(
-    loop: list[tuple[int, ...]], corners: list[tuple[int, ...]]
-) -> list[tuple[int, ...]]:
-    found = []
-    for a, b in zip(loop, loop[1:] + loop[:1], strict=True):
-        (k,) = np.flatnonzero(np.subtract(b, a))
-        along = [p for p in corners if all(p[m] == a[m] for m in range(3) if m != k)
-                 and min(a[k], b[k]) < p[k] < max(a[k], b[k])]  # fmt: skip
-        found += [a, *sorted(along, key=lambda p: abs(p[k] - a[k]))]
-    return found
+def _saying(shape: Shape, **more: Annotation) -> Shape:
+    faces = {f"f{k}": Face(tuple(map(v, loop))) for k, loop in enumerate(shape.loops)}
+    told = any(isinstance(a, OnFace) for a in more.values())
+    return replace(
+        shape, annotations={**shape.annotations, **more}, faces=faces if told else shape.faces
+    )
 
 
 def upright_prism(rng: np.random.Generator) -> Shape:
@@ -126,10 +50,10 @@ def upright_prism(rng: np.random.Generator) -> Shape:
     n = int(rng.integers(4, 9))
     angle = 2 * np.pi * (np.arange(n) + rng.uniform(-0.3, 0.3, n)) / n
     radius = rng.uniform(60, 130, n)
-    X = [[r * np.cos(a), r * np.sin(a), z] for z in (0, rng.uniform(60, 200))
-         for r, a in zip(radius, angle, strict=True)]  # fmt: skip
-    sides = [(i, (i + 1) % n, (i + 1) % n + n, i + n) for i in range(n)]
-    return from_loops("upright prism", X, [range(n), range(n, 2 * n), *sides])
+    outline = [
+        (float(r * np.cos(a)), float(r * np.sin(a))) for r, a in zip(radius, angle, strict=True)
+    ]
+    return upright("upright prism", outline, float(rng.uniform(60, 200)))
 
 
 def profile(rng: np.random.Generator) -> Shape:
@@ -162,45 +86,13 @@ def podium(rng: np.random.Generator) -> Shape:
         z += h
         low, high = low + rng.uniform(15, 45, 2), high - rng.uniform(15, 45, 2)
     shape = from_loops("podium", X, loops)
-    edge = {pair: f"e{k}" for k, pair in enumerate(shape.edges)}
-    faces = {f"f{k}": Face(tuple(map(v, loop))) for k, loop in enumerate(shape.loops)}
+    e = _edges(shape)
     more: dict[str, Annotation] = {}
     for k in range(8, len(X), 8):
-        more[f"x{k}"] = Parallel((edge[0, 1], edge[k, k + 1]))
-        more[f"y{k}"] = Parallel((edge[1, 2], edge[k + 1, k + 2]))
+        more[f"x{k}"] = Parallel((e(0, 1), e(k, k + 1)))
+        more[f"y{k}"] = Parallel((e(1, 2), e(k + 1, k + 2)))
         more[f"on{k}"] = OnFace(v(k), f"f{shape.loops.index((k - 4, k - 3, k - 2, k - 1))}")
-    return replace(shape, annotations={**shape.annotations, **more}, faces=faces)
-
-
-def cut_pyramid(rng: np.random.Generator) -> Shape:
-    """Over a rectangle, its top level; two planes of symmetry."""
-    w, d = rng.uniform(100, 240, 2)
-    h, s = rng.uniform(60, 200), rng.uniform(0.35, 0.8)
-    low = np.array([[-w, -d], [w, -d], [w, d], [-w, d]]) / 2
-    X = [[*p, 0.0] for p in low] + [[*(s * p), h] for p in low]
-    shape = from_loops("cut pyramid", X, BOX_LOOPS)
-    more: dict[str, Annotation] = {"par0": Parallel(("e0", "e4")), "par1": Parallel(("e1", "e5"))}
-    more |= {
-        f"sym{k}": SymmetryPlane(tuple(f"e{i}" for i in (k, k + 2, k + 4, k + 6))) for k in (0, 1)
-    }
-    return replace(shape, annotations={**shape.annotations, **more})
-
-
-def hip_roof(rng: np.random.Generator) -> Shape:
-    """A box under a roof whose ridge is shorter than its eaves; its slopes are equal in pairs."""
-    w, d = rng.uniform(180, 300), rng.uniform(100, 170)
-    wall, rise, inset = rng.uniform(60, 140), rng.uniform(40, 120), rng.uniform(25, 70)
-    base = box(w, d, wall)
-    X = [*base.X.tolist(), [inset, d / 2, wall + rise], [w - inset, d / 2, wall + rise]]
-    loops = [*(loop for loop in BOX_LOOPS if loop != (4, 5, 6, 7)),
-             (4, 5, 9, 8), (5, 6, 9), (6, 7, 8, 9), (7, 4, 8)]  # fmt: skip
-    shape = from_loops("hip roof", X, loops)
-    edge = {pair: f"e{k}" for k, pair in enumerate(shape.edges)}
-    more = {
-        "ridge": Parallel((edge[8, 9], edge[0, 1])),
-        "slopes": EqualLength((edge[4, 8], edge[5, 9], edge[6, 9], edge[7, 8])),
-    }
-    return replace(shape, annotations={**shape.annotations, **more})
+    return _saying(shape, **more)
 
 
 def turned_boxes(rng: np.random.Generator) -> Shape:
@@ -227,11 +119,208 @@ def gable(rng: np.random.Generator) -> Shape:
     porch = [(10 + i, 10 + (i + 1) % 4, 14 + (i + 1) % 4, 14 + i) for i in range(4)]
     loops = [range(5), range(5, 10), *sides, (14, 15, 16, 17), *porch]
     shape = from_loops("gable with porch", X, loops)
-    edge = {pair: f"e{k}" for k, pair in enumerate(shape.edges)}
-    along = Parallel((edge[0, 1], edge[10, 11]))
-    return replace(shape, annotations={**shape.annotations, "porch": along})
+    e = _edges(shape)
+    return _saying(shape, porch=Parallel((e(0, 1), e(10, 11))))
 
 
+def columns(rng: np.random.Generator) -> Shape:
+    """Columns of different heights side by side, lying or standing."""
+    n = int(rng.integers(2, 5))
+    xs = [0.0, *np.cumsum(rng.uniform(40, 110, n)).tolist()]
+    heights = (rng.permutation(n) * 40 + rng.uniform(45, 75, n)).tolist()
+    profile = [(0.0, 0.0), (xs[-1], 0.0)]
+    for k in reversed(range(n)):
+        profile += [(xs[k + 1], heights[k]), (xs[k], heights[k])]
+    make = prism if rng.random() < 0.5 else upright
+    return make("columns", profile, rng.uniform(60, 200))
+
+
+def three_sided(rng: np.random.Generator) -> Shape:
+    """A triangular prism: two directions alone are square to each other."""
+    a, b = rng.uniform(90, 200), rng.uniform(60, 180)
+    make = prism if rng.random() < 0.5 else upright
+    return make(
+        "three-sided", [(0, 0), (a, 0), (rng.uniform(0.2, 0.8) * a, b)], rng.uniform(60, 180)
+    )
+
+
+def hip_roof(rng: np.random.Generator) -> Shape:
+    """A house whose roof slants on all four sides."""
+    w, d, h = rng.uniform(160, 300), rng.uniform(110, 200), rng.uniform(70, 150)
+    top, in_ = h + rng.uniform(30, 90), rng.uniform(0.15, 0.35) * w
+    X = [[x * w, y * d, z] for z in (0, h) for x, y in CORNERS]
+    X += [[in_, d / 2, top], [w - in_, d / 2, top]]
+    roof = [(4, 5, 9, 8), (5, 6, 9), (6, 7, 8, 9), (7, 4, 8)]
+    shape = from_loops("hip roof", X, [BOX_LOOPS[0], *BOX_LOOPS[2:], *roof])
+    e = _edges(shape)
+    return _saying(
+        shape,
+        ridge=Parallel((e(8, 9), e(0, 1))),
+        across=SymmetryPlane((e(0, 1), e(2, 3), e(4, 5), e(6, 7), e(8, 9))),
+        along=SymmetryPlane((e(1, 2), e(3, 0), e(5, 6), e(7, 4))),
+    )
+
+
+def frustum(rng: np.random.Generator) -> Shape:
+    """Narrower above than below, two planes of symmetry."""
+    w, d, h = rng.uniform(120, 260), rng.uniform(120, 260), rng.uniform(60, 180)
+    i, j = rng.uniform(0.12, 0.35) * w, rng.uniform(0.12, 0.35) * d
+    rim = [[i + x * (w - 2 * i), j + y * (d - 2 * j), h] for x, y in CORNERS]
+    shape = from_loops("frustum", [[x * w, y * d, 0.0] for x, y in CORNERS] + rim, BOX_LOOPS)
+    planes = {
+        f"sym{k}": SymmetryPlane((f"e{k}", f"e{k + 2}", f"e{k + 4}", f"e{k + 6}")) for k in (0, 1)
+    }
+    return _saying(shape, par0=Parallel(("e0", "e4")), par1=Parallel(("e1", "e5")), **planes)
+
+
+def folding_screen(rng: np.random.Generator) -> Shape:
+    """Panels of one width at angles that nobody tells."""
+    n, turn, width = int(rng.integers(3, 5)), rng.uniform(-0.3, 0.3), rng.uniform(60, 110)
+    at = [np.zeros(2)]
+    for k in range(n):
+        turn += rng.uniform(0.6, 1.2) * (-1) ** k
+        at.append(at[-1] + width * np.array([np.cos(turn), np.sin(turn)]))
+    X = [[*p, z] for z in (0.0, rng.uniform(120, 240)) for p in at]
+    loops = [(i, i + 1, i + n + 2, i + n + 1) for i in range(n)]
+    shape = from_loops("folding screen", X, loops)
+    e = _edges(shape)
+    return _saying(shape, equal=EqualLength(tuple(e(i, i + 1) for i in range(n))))
+
+
+def box_on_box(rng: np.random.Generator) -> Shape:
+    """A smaller box somewhere on a larger one."""
+    size, low, part = rng.uniform(120, 240, 3), rng.uniform(0.05, 0.3, 2), rng.uniform(0.3, 0.6, 2)
+    high = rng.uniform(30, 120)
+    X = [[x * size[0], y * size[1], z] for z in (0, size[2]) for x, y in CORNERS]
+    X += [
+        [*(size[:2] * (low + part * corner)), size[2] + z] for z in (0, high) for corner in CORNERS
+    ]
+    shape = from_loops("box on box", X, [*BOX_LOOPS, *(tuple(8 + i for i in r) for r in BOX_LOOPS)])
+    e = _edges(shape)
+    return _saying(shape, aligned=Parallel((e(0, 1), e(8, 9))), on=OnFace("v8", "f1"))
+
+
+def notched(rng: np.random.Generator) -> Shape:
+    """A box without one of its corners."""
+    (w, d, h), part = rng.uniform(120, 240, 3), rng.uniform(0.3, 0.7, 3)
+    a, b, c = part * [w, d, h]
+    X = [
+        (0, 0, 0), (w, 0, 0), (w, d, 0), (0, d, 0), (0, 0, h), (w, 0, c), (w, d, h), (0, d, h),
+        (a, 0, h), (a, 0, c), (a, b, h), (a, b, c), (w, b, h), (w, b, c),
+    ]  # fmt: skip
+    loops = [
+        (0, 1, 2, 3), (0, 1, 5, 9, 8, 4), (1, 2, 6, 12, 13, 5), (2, 3, 7, 6), (3, 0, 4, 7),
+        (4, 8, 10, 12, 6, 7), (8, 9, 11, 10), (10, 11, 13, 12), (9, 5, 13, 11),
+    ]  # fmt: skip
+    return from_loops("notched", X, loops)
+
+
+def box_with_pyramid(rng: np.random.Generator) -> Shape:
+    """A box under a pyramid of four equal slopes: equal lengths alone hold its tip."""
+    w, d, h, rise = rng.uniform((100, 100, 60, 40), (220, 220, 140, 120))
+    X = [*box(w, d, h).X.tolist(), [w / 2, d / 2, h + rise]]
+    sides = [(4 + i, 4 + (i + 1) % 4, 8) for i in range(4)]
+    shape = from_loops("box with pyramid", X, [BOX_LOOPS[0], *BOX_LOOPS[2:], *sides])
+    e = _edges(shape)
+    return _saying(shape, slopes=EqualLength(tuple(e(i, 8) for i in range(4, 8))))
+
+
+def parted_tray(rng: np.random.Generator) -> Shape:
+    """A tray with a partition, and a second one from it to a side."""
+    w, d, h = rng.uniform((160, 120, 40), (300, 220, 90))
+    a, b = rng.uniform(0.3, 0.7, 2) * (w, d)
+    floor = [*((x * w, y * d) for x, y in CORNERS), (a, 0), (a, d), (a, b), (w, b)]
+    X = [(x, y, z) for z in (0, h) for x, y in floor]
+    loops = [
+        (0, 4, 1, 7, 2, 5, 3), (0, 4, 12, 8), (4, 1, 9, 12), (1, 7, 15, 9), (7, 2, 10, 15),
+        (2, 5, 13, 10), (5, 3, 11, 13), (3, 0, 8, 11), (4, 6, 5, 13, 14, 12), (6, 7, 15, 14),
+    ]  # fmt: skip
+    return from_loops("parted tray", X, loops)
+
+
+def parted_hexagon(rng: np.random.Generator) -> Shape:
+    """A hexagonal box with a wall from corner to corner."""
+    r, h = rng.uniform((60, 60), (120, 200))
+    plan = [(float(r * np.cos(a)), float(r * np.sin(a))) for a in np.arange(6) * np.pi / 3]
+    bare = upright("parted hexagon", plan, float(h))
+    shape = from_loops(bare.name, bare.X.tolist(), [*bare.loops[:1], *bare.loops[2:], (0, 3, 9, 6)])
+    e = _edges(shape)
+    more: dict[str, Annotation] = {
+        f"par{i}": Parallel((e(i, i + 1), e((i + 3) % 6, (i + 4) % 6))) for i in range(3)
+    }
+    around = tuple(e(i, (i + 1) % 6) for i in range(6))
+    return _saying(shape, equal=EqualLength(around), wall=Parallel((e(0, 3), e(1, 2))), **more)
+
+
+def stool(rng: np.random.Generator) -> Shape:
+    """A seat on four square legs of one size."""
+    w, d, h, thick, leg = rng.uniform((200, 200, 250, 20, 25), (400, 400, 500, 45, 50))
+    near, across, along = 15.0, w - 15 - leg, d - 15 - leg
+    parts = [(0.0, 0.0, h - thick, w, d, h)]
+    parts += [
+        (x, y, 0.0, x + leg, y + leg, h - thick) for x in (near, across) for y in (near, along)
+    ]
+    X = [
+        (x0 + x * (x1 - x0), y0 + y * (y1 - y0), z)
+        for x0, y0, z0, x1, y1, z1 in parts
+        for z in (z0, z1)
+        for x, y in CORNERS
+    ]
+    loops = [tuple(8 * k + i for i in loop) for k in range(5) for loop in BOX_LOOPS]
+    shape = from_loops("stool", X, loops)
+    e, legs = _edges(shape), range(8, 40, 8)
+    more: dict[str, Annotation] = {f"along{k}": Parallel((e(0, 1), e(k, k + 1))) for k in legs}
+    more |= {f"on{k}": OnFace(v(k + 4), "f0") for k in legs}
+    sizes = tuple(e(k + i, k + i + 1) for k in legs for i in (0, 1))
+    return _saying(shape, equal=EqualLength(sizes), **more)
+
+
+def gambrel(rng: np.random.Generator) -> Shape:
+    """A house under a roof of two slopes on each side, equal in pairs."""
+    w, d, h = rng.uniform((140, 120, 70), (240, 260, 140))
+    inset, low = rng.uniform((0.12, 0.25), (0.25, 0.4)) * w
+    high = low + rng.uniform(0.1, 0.2) * w
+    front = [
+        (0, 0),
+        (w, 0),
+        (w, h),
+        (w - inset, h + low),
+        (w / 2, h + high),
+        (inset, h + low),
+        (0, h),
+    ]
+    shape = prism("gambrel", front, float(d))
+    e = _edges(shape)
+    return _saying(shape, low=EqualLength((e(2, 3), e(5, 6))), high=EqualLength((e(3, 4), e(4, 5))))
+
+
+def stairs_with_landing(rng: np.random.Generator) -> Shape:
+    """Some steps, a long one, and one or two more."""
+    depth, rise, landing, wide = rng.uniform((40, 30, 80, 80), (70, 60, 160, 160))
+    before, after = int(rng.integers(2, 4)), int(rng.integers(1, 3))
+    side, x = [(0.0, 0.0)], 0.0
+    for k in range(before + after):
+        side.append((x, (k + 1) * rise))
+        x += landing if k == before - 1 else depth
+        side.append((x, (k + 1) * rise))
+    return prism("stairs with landing", [(x, 0.0), *reversed(side)], float(wide))
+
+
+#: What falsehoods are planted in.
 OBJECTS: tuple[Callable[[np.random.Generator], Shape], ...] = (
-    polycube, upright_prism, profile, podium, cut_pyramid, hip_roof, turned_boxes, gable,
+    polycube, upright_prism, profile, podium, frustum, hip_roof, turned_boxes, gable,
 )  # fmt: skip
+#: What is drawn exactly and by people who lean.
+RANDOM: Mapping[str, Callable[[np.random.Generator], Shape]] = {
+    f.__name__: f
+    for f in (
+        columns, three_sided, hip_roof, frustum, folding_screen, box_on_box, notched,
+        box_with_pyramid, parted_tray, parted_hexagon, stool, gambrel, stairs_with_landing,
+    )
+}  # fmt: skip
+
+
+def drawn(name: str, run: int, **how) -> Photograph:
+    """A random one, photographed from a random side."""
+    rng = np.random.default_rng([run, *name.encode()])
+    return photograph(RANDOM[name](rng), rng, **how)

@@ -97,7 +97,7 @@ def lens_of_object(obj: Any, graph: SketchGraph) -> Lens | None:
 def _lens_if_known(path: str, marker: str, graph: SketchGraph) -> Lens | None:
     try:
         return _lens_of(path, marker, graph)
-    except (PhotoError, *known_problems()):
+    except (OSError, PhotoError, *known_problems()):
         # Of the photo itself something is said where it is shown.
         return None
 

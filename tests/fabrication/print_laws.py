@@ -59,6 +59,8 @@ def _of_thickness(
             own = (np.abs(off - settings.wall_mm / 2) < near) & (gap < 2 * settings.wall_mm)
             on = np.where(own, 0.0, on)
             continue
+        if face.included:
+            on = np.minimum(on, _off_rims(model, face, corners))
         # The rim of an opening lies in its plane, beside it too.
         off = gap if face.included else off
         on = np.minimum(on, off)
@@ -67,6 +69,29 @@ def _of_thickness(
     thin = (gaps < least - near) & (on > near)
     if thin.any():
         yield f"a wall is {gaps[thin].min():.4g} mm thick instead of {least:.4g}"
+
+
+def _off_rims(model: Model, face: ModelFace, points: np.ndarray) -> np.ndarray:
+    """How far points lie from the planes square to a face in its edges at openings."""
+    off = np.full(len(points), np.inf)
+    normal = newell(face.loop_mm) / np.linalg.norm(newell(face.loop_mm))
+    mouths = [
+        {v, loop[n - 1]}
+        for other in model.faces.values()
+        for loop in (other.loop, *other.holes)
+        for n, v in enumerate(loop)
+        if not other.included
+    ]
+    for loop in (face.loop, *face.holes):
+        for n, v in enumerate(loop):
+            if {v, loop[n - 1]} in mouths:
+                a, b = model.vertices_mm[loop[n - 1]], model.vertices_mm[v]
+                along = (b - a) / np.linalg.norm(b - a)
+                heights = (points - a) @ along
+                within = (heights > -1e-6) & (heights < np.linalg.norm(b - a) + 1e-6)
+                beside = np.abs((points - a) @ np.cross(along, normal))
+                off = np.minimum(off, np.where(within, beside, np.inf))
+    return off
 
 
 def _of_partitions(model: Model, settings: ShellSettings, print_: m3.Manifold) -> Iterator[str]:

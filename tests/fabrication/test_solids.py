@@ -147,20 +147,6 @@ def test_a_shape_as_step():
     assert b"2000-01-01T00:00:00" in data
 
 
-def test_no_wall_around_a_vertex_of_convex_and_concave_edges_beside_an_opening():
-    """The kernel crashes at such shapes: they are refused before it sees them."""
-    plan = [(0, 0), (60, 40), (120, 0), (130, 70), (60, 100), (0, 60)]
-    loops = {"bottom": [(x, y, 0.0) for x, y in plan]}
-    for n, corner in enumerate(plan):
-        after = plan[(n + 1) % len(plan)]
-        loops[f"s{n}"] = [(*corner, 0.0), (*after, 0.0), (60.0, 62.0, 90.0)]
-    model = shapes.model(loops, left_out=("s0",))
-    with pytest.raises(FabricationError, match="no wall of 2 mm can be made around v7") as caught:
-        shell_solid(model)
-    assert caught.value.ids == ("s0", "s1", "s2", "s3", "s4", "s5")
-    assert shell_solid(model, ShellSettings(solid=True)).isValid()
-
-
 def test_two_bodies_are_no_print():
     loops = shapes.box_loops(40.0, 40.0, 40.0)
     beside = {

@@ -58,7 +58,7 @@ def test_a_wall_that_no_way_makes_thick_enough_is_refused_with_its_number(monkey
         raise ValueError
 
     monkeypatch.setattr(shell, "_hollow", thinner)
-    monkeypatch.setattr(shell, "mixed_wall", no_slabs)
+    monkeypatch.setattr(shell, "built_wall", no_slabs)
     with pytest.raises(ThinWallError, match=r"comes out 2.7 mm thick here, not 3 mm") as caught:
         shell_solid(shapes.l_box(), ShellSettings(3.0))
     assert caught.value.ids

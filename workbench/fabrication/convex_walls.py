@@ -12,11 +12,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
+import manifold3d
 import numpy as np
 
 from ...solver.values import Array
 from .errors import FabricationError
-from .mixed_walls import solid_mesh, solid_of
+from .meshes import welded
 from .polyhedra import Polyhedron
 
 if TYPE_CHECKING:
@@ -129,3 +130,28 @@ def _rings(corners: Array, planes: Array) -> Iterator[Array]:
         across = np.cross(normal, arms[0])
         turns = np.arctan2(arms @ across, arms @ arms[0])
         yield corners[here[np.argsort(turns)]]
+
+
+def _wire(ring: Array) -> cq.Wire:
+    import cadquery as cq
+
+    return cq.Wire.makePolygon([cq.Vector(*p) for p in ring.tolist()], close=True)
+
+
+def solid_of(polygons: Sequence[Sequence[Array]]) -> cq.Solid:
+    """The solid that polygons bound, each an outer ring and holes."""
+    import cadquery as cq
+
+    faces = [cq.Face.makeFromWires(_wire(a), [*map(_wire, holes)]) for a, *holes in polygons]
+    shell = cq.Shell.makeShell(faces)
+    solid = cq.Solid.makeSolid(shell).fix()
+    return cq.Solid(solid.wrapped.Reversed()) if solid.Volume() < 0 else cq.Solid(solid.wrapped)
+
+
+def solid_mesh(solid: cq.Shape) -> manifold3d.Manifold:
+    """A solid of flat faces as a mesh for booleans."""
+    raw, faces = solid.tessellate(0.1, 0.1)
+    mesh = welded([v.toTuple() for v in raw], faces)
+    return manifold3d.Manifold(
+        manifold3d.Mesh64(mesh.vertices_mm, mesh.triangles.astype(np.uint64))
+    )

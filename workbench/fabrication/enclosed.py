@@ -44,7 +44,7 @@ def enclosed(
     triangles = []
     for id_, face in loops.items():
         corners = np.array([numbers[v] for loop in face for v in loop])
-        flat = corners[_triangulated([np.array([vertices[v] for v in loop]) for loop in face])]
+        flat = corners[triangulated([np.array([vertices[v] for v in loop]) for loop in face])]
         triangles.append(flat[:, ::-1] if sides[id_] > 0 else flat)
     points = np.array(list(vertices.values()))
     body = manifold3d.Manifold(manifold3d.Mesh64(points, np.vstack(triangles).astype(np.uint64)))
@@ -59,7 +59,7 @@ def plane_axes(loop: Array) -> Array:
     return np.array([along, np.cross(normal, along), normal])
 
 
-def _triangulated(loops: Sequence[Array]) -> Array:
+def triangulated(loops: Sequence[Array]) -> Array:
     """Triangles of a face as numbers of its corners, turning as its outer loop does."""
     axes = plane_axes(loops[0])
     flat = [(loop - loops[0][0]) @ axes[:2].T for loop in loops]

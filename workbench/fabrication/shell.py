@@ -17,18 +17,21 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, cast
 
 import numpy as np
+from manifold3d import Manifold, OpType
 
 from ...solver.model import Model
 from ...solver.values import Array
-from .convex_walls import convex_wall, is_convex
+from .convex_walls import convex_wall, is_convex, solid_mesh
 from .errors import FabricationError
-from .mixed_walls import NoWallAroundError, mixed_wall
+from .flat_solids import InvalidSolidError, kernel_solid
+from .frame import newell
 from .offsetting import mixed_vertices
 from .polyhedra import Loop, Polyhedron, area_vector, polyhedron_of
 from .settings import ShellSettings
 from .sides import face_sides
 from .turned import turned_solid
 from .wall_distance import ThinWallError, check_planes, check_wall
+from .wall_pieces import built_wall
 
 if TYPE_CHECKING:
     import cadquery as cq
@@ -38,6 +41,8 @@ _EPS = 1e-6
 #: So many walls thick, a shape is not too thin for them.
 _ROOMY = 8.0
 _NEAR_MM = 1e-4
+#: Outlines are multiples of this.
+_GRID_MM = 1e-7
 
 
 def shell_solid(model: Model, settings: ShellSettings = _DEFAULTS) -> cq.Shape:
@@ -71,32 +76,52 @@ def shell_solid(model: Model, settings: ShellSettings = _DEFAULTS) -> cq.Shape:
     wall = settings.wall_mm
     outwards = _outwards(body)
     mixed = _mixed(body, outwards, mouths)
-    beside = {v: faces for v, faces in mixed.items() if {*faces} & {*mouths}}
-    for vertex, faces in beside.items():
-        raise NoWallAroundError(vertex, faces, wall)
     moves = {"inside": [-wall], "outside": [wall], "middle": [-wall / 2, wall / 2]}[settings.side]
     try:
         # Of itself the kernel fails at mixed vertices.
         parts = [
-            mixed_wall(block, body, outwards, mouths, move)
+            built_wall(body, outwards, mouths, move)
             if mixed
             else _hollow_or_built(block, body, outwards, mouths, move)
             for move in moves
         ]
-    except (NoWallAroundError, ThinWallError):
+    except (InvalidSolidError, ThinWallError):
         raise
     except FabricationError as error:
         raise _too_thick(body, wall) from error
-    solid = parts[0].fuse(*parts[1:]) if len(parts) > 1 else parts[0]
-    for id_ in windows:
-        # Beyond the wall on both sides, but not further into the hollow than the wall is thick.
-        solid = solid.cut(_thick([body.points(loop) for loop in body.skin[id_]], -wall, wall))
-    # After the windows: a partition that ends at a window's border keeps both of its sides.
+    # Beyond the wall on both sides, but not further into the hollow than the wall is thick.
+    holes = [_thick([body.points(loop) for loop in body.skin[id_]], -wall, wall) for id_ in windows]
     slabs = [_partition(body, loops, wall) for loops in body.partitions.values()]
+    solid = _put_together(block, parts, holes, slabs)
+    if len(solid.Solids()) != 1 or not solid.isValid():
+        # The kernel's booleans fail where many faces nearly meet.
+        with suppress(InvalidSolidError):
+            solid = kernel_solid(_put_triangles_together(block, parts, holes, slabs))
+    return _one_solid(solid, block)
+
+
+def _put_together(
+    block: cq.Shape, parts: Sequence[cq.Shape], holes: Sequence[cq.Shape], slabs: Sequence[cq.Shape]
+) -> cq.Shape:
+    """Walls without their windows, and with partitions."""
+    solid = parts[0].fuse(*parts[1:]) if len(parts) > 1 else parts[0]
+    for hole in holes:
+        solid = solid.cut(hole)
+    # After the windows: a partition that ends at a window's border keeps both of its sides.
     if slabs:
         solid = solid.fuse(*(slab.intersect(block) for slab in slabs))
-    fused = len(parts) > 1 or windows or slabs
-    return _one_solid(solid.clean() if fused else solid, block)
+    return solid.clean() if len(parts) > 1 or holes or slabs else solid
+
+
+def _put_triangles_together(
+    block: cq.Shape, parts: Sequence[cq.Shape], holes: Sequence[cq.Shape], slabs: Sequence[cq.Shape]
+) -> Manifold:
+    """The same of triangles."""
+    made = Manifold.batch_boolean([solid_mesh(part) for part in parts], OpType.Add)
+    for hole in holes:
+        made -= solid_mesh(hole)
+    whole = solid_mesh(block)
+    return Manifold.batch_boolean([made, *(solid_mesh(slab) ^ whole for slab in slabs)], OpType.Add)
 
 
 def _outwards(body: Polyhedron) -> dict[str, Array]:
@@ -191,10 +216,8 @@ def _hollow_or_built(
         check_wall(wall, body, mouths, abs(move))
     except FabricationError as error:
         try:
-            wall = mixed_wall(block, body, outwards, mouths, move)
+            wall = built_wall(body, outwards, mouths, move)
             check_wall(wall, body, mouths, abs(move))
-        except NoWallAroundError:
-            raise
         except (FabricationError, *faults):
             raise error from None
     return wall
@@ -235,7 +258,6 @@ def _inner_point(points: Array) -> Array:
 
 
 def _normal(points: Array) -> Array:
-    from .frame import newell
 
     area = newell(points)
     return np.asarray(area / np.linalg.norm(area))
@@ -276,13 +298,14 @@ def _partition(body: Polyhedron, loops: Sequence[Loop], wall: float) -> cq.Solid
     flat = [(ring - rings[0][0]) @ axes.T for ring in rings]
     outer = shapely.Polygon(flat[0])
     grown = outer.buffer(wall, join_style="mitre")
-    for a, b, start, end in zip(
-        rings[0], np.roll(rings[0], -1, axis=0), flat[0], np.roll(flat[0], -1, axis=0), strict=True
-    ):
-        if not _on_skin(body, np.array([a, b])):
-            side = shapely.LineString([start, end]).buffer(wall, cap_style="square")
+    for n in range(len(rings[0])):
+        ends = [n - 1, n]
+        if not _on_skin(body, rings[0][ends]):
+            side = shapely.LineString(flat[0][ends]).buffer(wall, cap_style="square")
             grown = grown.difference(side.difference(outer))
-    part = max(shapely.get_parts(grown), key=lambda one: one.area)
+    # Rounding may leave a side that goes out and back: of such a wire the kernel makes no solid.
+    parts = shapely.get_parts(shapely.set_precision(grown, _GRID_MM))
+    part = max(parts, key=lambda one: one.area)
     ring = shapely.get_coordinates(part.exterior)[:-1] @ axes + rings[0][0]
     return _thick([ring, *rings[1:]], -wall / 2, wall / 2)
 

@@ -65,7 +65,7 @@ def test_what_was_guessed_is_taken_back():
 
 
 def test_where_a_guess_stays_this_is_said():
-    photo, graph = sparse(organizer, 1, 0.5, noise=0.01)
+    photo, graph = sparse(organizer, 1, 0.5, noise=0.005)
     solution = solve(graph)
     assert largest_cosine_unsaid(photo, graph, solution) < 1e-9
     assert "taken to be square" in solution.message

@@ -59,6 +59,9 @@ WORTH_A_TRY = 0.05
 TIE = 0.5
 #: Of what is drawn so small a part, left over to check a shape, leaves several that nearly fit.
 BARELY = 0.25
+#: A descent that is not at its end goes on while it takes so much off: where a shape hardly holds,
+#: hundreds of steps lead to it.
+GETS_ON = 0.9
 Afresh = Callable[[str], Candidate | None]
 
 
@@ -187,6 +190,7 @@ def blame_by_relief(
     trials = _Trials(graph, whole, KnownShape.at(lifted.full, lifted.minimum.x), stop, afresh)
     for id_, _ in relieving(graph, lifted, whole, far=trials.far)[:MAX_TRIED]:
         trials.near(id_)
+    trials.settle_the_best()
     if trials.far and trials.explained():
         # From here the shape without a rival may be out of reach.
         trials.lost_ones_afresh()
@@ -215,6 +219,7 @@ def find_blame(
     for relaxed in relax(graph, lifted.problem, lifted.minimum.x, stop, lost=lost):
         trials = replace(trials, known=relaxed.shape)
         convict([(s.id, s.weight) for s in relaxed.suspects], trials.near)
+        trials.settle_the_best()
         if not trials.far or trials.explained():
             break
     if trials.far:
@@ -262,6 +267,20 @@ class _Trials:
         if self.stop():
             return None
         return self._seen(id_, lift_near(without(self.graph, id_), self.known, self.stop))
+
+    def settle_the_best(self) -> None:
+        """Brought to its end, as long as that gets it on."""
+        if not self.readings:
+            return
+        id_ = best_first(self.readings.items())[0][0]
+        rest, near = without(self.graph, id_), self.shapes[id_]
+        while near is not None and not near.minimum.converged and not self.stop():
+            before = near.minimum.cost
+            near = lift_near(rest, KnownShape.at(near.full, near.minimum.x), self.stop)
+            if near is not None and near.minimum.cost < before:
+                self.shapes[id_], self.readings[id_] = near, reading_of(rest, near)
+            if near is None or not near.minimum.cost < GETS_ON * before:
+                return
 
     def lost_ones_afresh(self) -> None:
         """Begun from nothing where no good shape was found nearby, until one explains the drawing.

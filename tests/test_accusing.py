@@ -48,6 +48,16 @@ def test_some_of_what_is_true_blames_nobody():
         assert solve(graph).report.conflicts == ()
 
 
+def test_a_descent_that_is_still_getting_on_is_brought_to_its_end():
+    # Without what is false, the first forty steps are no better than the shape with it.
+    rng = np.random.default_rng([2215, 99])
+    graph = photograph(gable(rng), rng).graph
+    false = EqualLength(("e5", "e21"))
+    solution = solve(replace(graph, annotations={**graph.annotations, "false": false}))
+    assert solution.report.conflicts == ("false",)
+    assert "without it by 0 px" in solution.message
+
+
 def test_what_alone_fixes_a_freedom_is_undecided():
     graph = photograph(box(), np.random.default_rng(3), noise=0.002).graph
     said = {k: a for k, a in graph.annotations.items() if not isinstance(a, RightAngle)}

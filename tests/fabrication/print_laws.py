@@ -16,6 +16,9 @@ from incontext.workbench.fabrication.frame import newell
 from incontext.workbench.fabrication.meshes import mesh_of
 from incontext.workbench.fabrication.sides import face_sides
 
+#: So many walls around an opening its rim reaches.
+RIM = 1.5
+
 
 def broken_print(model: Model, settings: ShellSettings) -> Iterator[str]:
     """Each law that a print breaks."""
@@ -31,7 +34,7 @@ def broken_print(model: Model, settings: ShellSettings) -> Iterator[str]:
     if len(body_.decompose()) != 1 and not any(f.included for f in model.faces.values()):
         yield "the print is in pieces"
     yield from _of_thickness(model, settings, mesh.vertices_mm, 1e-5 * size)
-    yield from _of_partitions(model, settings, body_)
+    yield from _of_slabs(model, settings, body_)
     drawn = drawn_body(model)
     if drawn is None or settings.side == "middle":
         return
@@ -50,69 +53,77 @@ def _of_thickness(
     """Corners of a print lie on the drawn faces, or a wall or more away from those made."""
     loops = {id_: (f.loop_mm, *f.holes_mm) for id_, f in model.faces.items()}
     sides = face_sides(loops, list(loops))
+    least = settings.wall_mm / (2 if settings.side == "middle" else 1)
     on, gaps = np.full(len(corners), np.inf), np.full(len(corners), np.inf)
     for id_, face in model.faces.items():
         gap = _distances(face, corners)
         normal = newell(face.loop_mm) / np.linalg.norm(newell(face.loop_mm))
         off = np.abs((corners - face.loop_mm[0]) @ normal)
-        if sides[id_] == 0:  # a partition's own corners: `_of_partitions` holds them to its slab
+        if sides[id_] == 0:  # a partition's own corners: `_of_slabs` holds them to its slab
             own = (np.abs(off - settings.wall_mm / 2) < near) & (gap < 2 * settings.wall_mm)
             on = np.where(own, 0.0, on)
             continue
-        if face.included:
-            on = np.minimum(on, _off_rims(model, face, corners))
-        # The rim of an opening lies in its plane, beside it too.
-        off = gap if face.included else off
+        # The rim of an opening lies in its plane, beside it too, or square: `_of_slabs` holds the
+        # walls there to what stands on their faces.
+        off = gap if face.included else np.where(gap < RIM * least, 0.0, off)
         on = np.minimum(on, off)
         gaps = np.minimum(gaps, gap) if face.included else gaps
-    least = settings.wall_mm / (2 if settings.side == "middle" else 1)
     thin = (gaps < least - near) & (on > near)
     if thin.any():
         yield f"a wall is {gaps[thin].min():.4g} mm thick instead of {least:.4g}"
 
 
-def _off_rims(model: Model, face: ModelFace, points: np.ndarray) -> np.ndarray:
-    """How far points lie from the planes square to a face in its edges at openings."""
-    off = np.full(len(points), np.inf)
-    normal = newell(face.loop_mm) / np.linalg.norm(newell(face.loop_mm))
-    mouths = [
-        {v, loop[n - 1]}
-        for other in model.faces.values()
-        for loop in (other.loop, *other.holes)
-        for n, v in enumerate(loop)
-        if not other.included
-    ]
-    for loop in (face.loop, *face.holes):
-        for n, v in enumerate(loop):
-            if {v, loop[n - 1]} in mouths:
-                a, b = model.vertices_mm[loop[n - 1]], model.vertices_mm[v]
-                along = (b - a) / np.linalg.norm(b - a)
-                heights = (points - a) @ along
-                within = (heights > -1e-6) & (heights < np.linalg.norm(b - a) + 1e-6)
-                beside = np.abs((points - a) @ np.cross(along, normal))
-                off = np.minimum(off, np.where(within, beside, np.inf))
-    return off
+def _of_slabs(model: Model, settings: ShellSettings, print_: m3.Manifold) -> Iterator[str]:
+    """All that lies straight over a face, up to its wall's thickness, is filled.
 
-
-def _of_partitions(model: Model, settings: ShellSettings, print_: m3.Manifold) -> Iterator[str]:
-    """Half a wall on both sides of each partition is filled, within the drawn faces."""
+    Of a partition this is half a wall on both sides, within the drawn faces. Outside of them walls
+    end at the planes of openings.
+    """
     loops = {id_: (f.loop_mm, *f.holes_mm) for id_, f in model.faces.items()}
     sides = face_sides(loops, list(loops))
     skin = {id_: (f.loop, *f.holes) for id_, f in model.faces.items() if sides[id_]}
     drawn = enclosed(skin, model.vertices_mm, sides)
     if drawn is None:
         return
+    mouths, windows = [], []
+    for id_ in (id_ for id_ in skin if not model.faces[id_].included):
+        mouth, loop = model.faces[id_], model.faces[id_].loop_mm
+        inwards = sides[id_] * newell(loop) / np.linalg.norm(newell(loop))
+        beside = [f for f in skin if model.faces[f].included]
+        off = [np.abs((model.faces[f].loop_mm - loop[0]) @ inwards).max() for f in beside]
+        if min(off, default=1.0) < 1e-4:
+            windows.append(_slab(mouth, -settings.wall_mm, settings.wall_mm))
+        else:
+            mouths.append((set(mouth.loop), inwards, float(inwards @ loop[0])))
     for id_, face in model.faces.items():
-        if sides[id_] or not face.included:
+        if not face.included:
             continue
-        axes = plane_axes(face.loop_mm)
-        rings = [((ring - face.loop_mm[0]) @ axes[:2].T) for ring in loops[id_]]
-        flat = m3.CrossSection(rings, m3.FillRule.EvenOdd)
-        slab = flat.extrude(settings.wall_mm).translate([0.0, 0.0, -settings.wall_mm / 2])
-        slab = slab.transform(np.column_stack([axes.T, face.loop_mm[0]]))
-        lacks = ((slab ^ drawn) - print_).volume()
-        if lacks > 1e-4 * slab.volume():
-            yield f"{id_} lacks {lacks:.3g} mm3 of its {slab.volume():.6g} mm3"
+        halved = settings.side == "middle" or not sides[id_]
+        reach = settings.wall_mm / (2 if halved else 1)
+        slab = _slab(face, -reach, reach)
+        within, beyond = slab ^ drawn, m3.Manifold()
+        if sides[id_]:
+            within = _slab(face, *sorted([0.0, sides[id_] * reach])) ^ drawn
+            beyond = _slab(face, *sorted([0.0, -sides[id_] * reach])) - drawn
+        for window in windows:
+            within, beyond = within - window, beyond - window
+        for corners, inwards, limit in mouths:
+            if not corners.isdisjoint(face.loop):
+                beyond = beyond.trim_by_plane(inwards, limit)
+        asked = {"inside": [within], "outside": [beyond], "middle": [within, beyond]}
+        for part in asked[settings.side] if sides[id_] else [within]:
+            lacks = (part - print_).volume()
+            if lacks > 1e-4 * slab.volume():
+                yield f"{id_} lacks {lacks:.3g} mm3 of its {slab.volume():.6g} mm3"
+
+
+def _slab(face: ModelFace, low_mm: float, high_mm: float) -> m3.Manifold:
+    """What lies straight over a face, from `low_mm` to `high_mm` along its loop's normal."""
+    axes = plane_axes(face.loop_mm)
+    rings = [((ring - face.loop_mm[0]) @ axes[:2].T) for ring in (face.loop_mm, *face.holes_mm)]
+    flat = m3.CrossSection(rings, m3.FillRule.EvenOdd)
+    slab = flat.extrude(high_mm - low_mm).translate([0.0, 0.0, low_mm])
+    return slab.transform(np.column_stack([axes.T, face.loop_mm[0]]))
 
 
 def _distances(face: ModelFace, points: np.ndarray) -> np.ndarray:

@@ -22,7 +22,9 @@ def spire(left_out=()):
 
 
 @pytest.mark.parametrize("side", ["inside", "outside", "middle"])
-@pytest.mark.parametrize("left_out", [(), ("bottom",), ("s0", "s1"), ("s2", "bottom")])
+@pytest.mark.parametrize(
+    "left_out", [(), ("bottom",), ("s0",), ("s3",), ("s5",), ("s0", "s1"), ("s2", "bottom")]
+)
 def test_walls_around_a_vertex_of_convex_and_concave_edges(side, left_out):
     """Beside openings too, two of them next to each other."""
     model, settings = spire(left_out), ShellSettings(side=side)
@@ -58,6 +60,12 @@ def test_a_prism_has_the_wall_of_its_moved_polygon(plan, left_out, move):
     tall = h + move * (1 if left_out else 2)
     solid = shell_solid(model, ShellSettings(abs(move), side))
     assert solid.Volume() == pytest.approx(abs(moved * tall - area * h), rel=1e-9)
+
+
+def test_rims_may_end_nearer_to_a_face_than_its_wall_is_thick():
+    """What lies straight over each face is full: the wall is no thinner for it."""
+    model, settings = print_case("frustum", 40307)
+    assert list(broken_print(model, settings)) == []
 
 
 def test_faces_of_a_wall_are_whole():

@@ -216,8 +216,7 @@ def _hollow_or_built(
         check_wall(wall, body, mouths, abs(move))
     except FabricationError as error:
         try:
-            wall = built_wall(body, outwards, mouths, move)
-            check_wall(wall, body, mouths, abs(move))
+            return built_wall(body, outwards, mouths, move)
         except (FabricationError, *faults):
             raise error from None
     return wall

@@ -116,6 +116,15 @@ def test_a_wall_too_thick_is_refused(wall):
         shell_solid(shapes.box(), ShellSettings(wall))
 
 
+def test_normals_in_a_file_are_those_of_the_corners_in_it():
+    # A sliver's is turned by rounding; programs that repair would turn it back.
+    corners = np.array([(187.123456, 0.1, 0.2), (3.3, 150.7, 91.1), (95.2, 75.400012, 45.65)])
+    data = stl_bytes(Mesh(corners, np.array([(0, 1, 2)], dtype=np.int32)))
+    normal, *written = np.frombuffer(data[84:132], "<f4").reshape(4, 3).astype(float)
+    wanted = np.cross(written[1] - written[0], written[2] - written[0])
+    assert normal == pytest.approx(wanted / np.linalg.norm(wanted), abs=1e-6)
+
+
 def test_mesh_files_read_back():
     solid = shell_solid(shelf_with_front(turned=3), ShellSettings(3.0))
     mesh = mesh_of(solid)

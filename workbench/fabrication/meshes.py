@@ -93,7 +93,8 @@ def check_mesh(mesh: Mesh, volume_mm3: float, slack_mm3: float) -> None:
 
 def stl_bytes(mesh: Mesh) -> bytes:
     """The mesh as binary STL, mm."""
-    corners = mesh.vertices_mm[mesh.triangles]
+    # Normals of the corners as they are written: rounding turns slivers.
+    corners = mesh.vertices_mm.astype(np.float32).astype(float)[mesh.triangles]
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     lengths = np.linalg.norm(normals, axis=1, keepdims=True)
     normals = normals / np.where(lengths > 0, lengths, 1.0)

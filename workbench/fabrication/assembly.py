@@ -79,7 +79,7 @@ class _Apart:
     bodies: list[manifold3d.Manifold]
     ways: Array
     known: dict[tuple[int, int, int], bool]
-    sweeps: dict[tuple[int, int], manifold3d.Manifold]
+    sweeps: dict[tuple[int, int], list[manifold3d.Manifold]]
     far_mm: float
 
     def blocked(self, way: int, one: int, other: int) -> bool:
@@ -98,7 +98,16 @@ class _Apart:
             return False
         if (way, one) not in self.sweeps:
             self.sweeps[way, one] = _swept(self.plates[one], move)
-        return bool((self.sweeps[way, one] ^ body).volume() > TOUCH_MM3)
+        # Mostly one part says it; to join them all takes ten times longer.
+        shared = []
+        for part in self.sweeps[way, one]:
+            c = np.array(part.bounding_box())
+            if (np.minimum(c[3:], b[3:]) - np.maximum(c[:3], b[:3])).min() > 0.0:
+                common = part ^ body
+                if common.volume() > TOUCH_MM3:
+                    return True
+                shared.append(common)
+        return bool(_together(shared).volume() > TOUCH_MM3)
 
     def free(self, plates: Sequence[int]) -> tuple[int, tuple[int, ...]] | None:
         """A plate that can leave square to itself, which is seen at once, and its way."""
@@ -113,15 +122,34 @@ class _Apart:
         """A way, and the fewest plates that can leave along it together; None where locked."""
         best: tuple[int, int, tuple[int, ...]] | None = None
         for way in range(len(self.ways)):
+            if self._all_tied(way, plates):
+                continue
             edges = np.array(
                 [[i != j and self.blocked(way, i, j) for j in plates] for i in plates], dtype=bool
             )
             group = _sink(edges)
-            if len(group) < len(plates) and (best is None or len(group) < best[0]):
+            if best is None or len(group) < best[0]:
                 best = (len(group), way, tuple(plates[n] for n in group))
                 if len(group) == 1:
                     break
         return None if best is None else (best[1], best[2])
+
+    def _all_tied(self, way: int, plates: Sequence[int]) -> bool:
+        """Whether all block one another in a circle: from the first all are reached, both ways.
+
+        Of most ways few plates' moves tell that already; to try all takes many times longer. What
+        blocks a plate is what it would pass through on the way back.
+        """
+        for there in (way, way ^ 1):
+            left, reached = list(plates[1:]), list(plates[:1])
+            for one in reached:
+                for other in tuple(left):
+                    if self.blocked(there, one, other):
+                        reached.append(other)
+                        left.remove(other)
+            if left:
+                return False
+        return True
 
 
 def _sink(edges: NDArray[np.bool_]) -> list[int]:
@@ -239,7 +267,7 @@ def _corners(plate: Plate) -> Array:
 def _apart(plates: Sequence[Plate]) -> _Apart:
     points = np.vstack([_corners(plate) for plate in plates])
     far = 2.0 * float(np.linalg.norm(np.ptp(points, axis=0)))
-    bodies = [_swept(plate, np.zeros(3)) for plate in plates]
+    bodies = [_together(_swept(plate, np.zeros(3))) for plate in plates]
     return _Apart(plates, bodies, _ways(plates), {}, {}, far)
 
 
@@ -263,19 +291,26 @@ def _add(ways: list[Array], way: Array) -> None:
         ways.append(np.asarray(way))
 
 
-def _swept(plate: Plate, move: Array) -> manifold3d.Manifold:
-    """What a plate passes through on a straight way; a little thinner, for it may touch."""
+def _together(parts: Sequence[manifold3d.Manifold]) -> manifold3d.Manifold:
+    return manifold3d.Manifold.batch_boolean(parts, manifold3d.OpType.Add)
+
+
+def _swept(plate: Plate, move: Array) -> list[manifold3d.Manifold]:
+    """What a plate passes through on a straight way; a little thinner, for it may touch.
+
+    In parts that may overlap.
+    """
     polygon = plate.polygon.buffer(-_SHRINK_MM, join_style="mitre")
     thin = plate.thickness_mm - 2 * _SHRINK_MM
     rotation = plate.world_from_plate[:3, :3]
     local = rotation.T @ move
     if abs(local[2]) < 1e-9 * max(1.0, float(np.abs(local).max())) or not move.any():
         low, area = _SHRINK_MM, _swept_area(polygon, local[:2])
-        return prism(area, low, low + thin).transform(plate.world_from_plate[:3])
+        return [prism(area, low, low + thin).transform(plate.world_from_plate[:3])]
     if np.abs(local[:2]).max() < 1e-9 * abs(local[2]):
         low = _SHRINK_MM + min(0.0, float(local[2]))
         body = prism(polygon, low, low + thin + abs(float(local[2])))
-        return body.transform(plate.world_from_plate[:3])
+        return [body.transform(plate.world_from_plate[:3])]
     rings = [
         np.array(ring.coords)[:-1]
         for part in map(shapely.geometry.polygon.orient, shapely.get_parts(polygon))
@@ -288,8 +323,7 @@ def _swept(plate: Plate, move: Array) -> manifold3d.Manifold:
             [np.column_stack([flat, np.full(3, z)]) for z in (_SHRINK_MM, _SHRINK_MM + thin)]
         )
         hulls.append(manifold3d.Manifold.hull_points(np.vstack([ends, ends + local])))
-    swept = manifold3d.Manifold.batch_boolean(hulls, manifold3d.OpType.Add)
-    return swept.transform(plate.world_from_plate[:3])
+    return [hull.transform(plate.world_from_plate[:3]) for hull in hulls]
 
 
 def _swept_area(polygon: shapely.Polygon, move: Array) -> shapely.Geometry:

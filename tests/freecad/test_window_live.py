@@ -193,4 +193,5 @@ def test_letting_go_waits_for_no_slow_solve(controller, shelf, monkeypatch):
     assert shelf[1].Shape.Area != area
     found, expected = pipeline.known_solution_of(shelf[0].Sketch), solve(moved)
     for vertex, place in expected.vertices_mm.items():
+        # Of a drawing that is not exact either is settled to a thousandth of a pixel or so.
         assert found.vertices_mm[vertex] == pytest.approx(place, abs=1e-3)

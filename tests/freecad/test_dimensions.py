@@ -18,7 +18,8 @@ from incontext.workbench.features.dimension_names import (
     dimension_named,
     property_name,
 )
-from incontext.workbench.features.dimensions import ANGLES, DRIVING, SHOWN, drive, driven_text
+from incontext.workbench.features.dimensions import ANGLES, DRIVING, SHOWN, drive
+from incontext.workbench.features.driven import driven_text
 from incontext.workbench.features.lifted_model import make_lifted_model, solution_of
 from incontext.workbench.features.photo_sketch import make_photo_sketch
 from incontext.workbench.features.picking import dimension_at

@@ -14,7 +14,8 @@ from incontext.solver.synthetic import Views, photograph_exactly, random_camera,
 from incontext.solver.synthetic.shapes import hexagonal_box, house, tapered_tray
 from incontext.workbench.features import pipeline
 from incontext.workbench.features.dimension_names import ANGLE, Dimension, dimension_named
-from incontext.workbench.features.dimensions import ANGLES, DRIVING, drive, driven_text
+from incontext.workbench.features.dimensions import ANGLES, DRIVING, drive
+from incontext.workbench.features.driven import driven_text
 from incontext.workbench.features.lifted_model import make_lifted_model, solution_of
 from incontext.workbench.features.photo_sketch import make_photo_sketch
 from incontext.workbench.features.picking import corner_at

@@ -16,8 +16,6 @@ from ..problems import in_words, known_problems
 from . import pipeline
 from .dimension_names import (
     ANGLE,
-    DIAMETER,
-    HEIGHT,
     Dimension,
     dimension_named,
     driving,
@@ -26,74 +24,21 @@ from .dimension_names import (
     said,
 )
 from .dimension_words import Words
-from .methods import source_of
-from .model_angles import in_order, said_angles, say_angles, text_of
+from .driven import bound_names, is_there
+from .model_angles import in_order, said_angles, say_angles
 from .properties import Editor
 from .proxy import is_edited
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     from ...solver.graph import SketchGraph
     from ...solver.solution import Solution
-    from .model_angles import Corner
 
 DRIVING, SHOWN, ANGLES = "Dimensions", "Shown dimensions", "Shown dimensions: angles"
 
 
-def driven_text(obj: Any) -> str:
-    """The source of a lifted model: its photo sketch's text with what expressions give, its method.
-
-    Raises
-    ------
-    SketchError
-        Where the text is no sketch, or an expression gives a size that cannot be.
-    """
-    text, sizes = obj.PhotoSketch.Sketch, _given(obj)
-    angles = {d.ids: sizes.pop(d) for d in list(sizes) if d.prefix == ANGLE}
-    if sizes:
-        graph = pipeline.graph_of(text)
-        # What an expression gave to an element that is gone is taken away after the solve.
-        there = tuple(pair for pair in sizes.items() if _is_there(graph, pair[0]))
-        text = pipeline.resized_text(text, there) if there else text
-    return source_of(text, obj.Method, text_of(_angles(obj, angles)))
-
-
-def _given(obj: Any) -> dict[Dimension, float]:
-    """What expressions give."""
-    bound = {name: dimension_named(name) for name in sorted(_bound_names(obj))}
-    return {
-        dimension: float(getattr(obj, name).Value)
-        for name, dimension in bound.items()
-        if dimension is not None and name in obj.PropertiesList
-    }
-
-
-def _angles(obj: Any, given: Mapping[tuple[str, ...], float]) -> dict[Corner, float]:
-    """The angles that are said of the model, by a person or by an expression."""
-    said_of_it = said_angles(obj)
-    if not (said_of_it or given):
-        return {}
-    from ...solver.said_angles import need_angle
-
-    graph = pipeline.graph_of(obj.PhotoSketch.Sketch)
-    bound = {(first, second): angle for (first, second), angle in given.items()}
-    found = in_order(graph, {**said_of_it, **bound})
-    for corner, angle_deg in found.items():
-        need_angle(graph, corner, angle_deg)
-    return found
-
-
-def _is_there(graph: Any, dimension: Dimension) -> bool:
-    if dimension.prefix == HEIGHT:
-        return dimension.ids[0] in graph.vertices or dimension.ids[0] in graph.circles
-    elements = graph.circles if dimension.prefix == DIAMETER else graph.edges
-    return all(id_ in elements for id_ in dimension.ids)
-
-
 def show_dimensions(obj: Any, graph: SketchGraph, solution: Solution) -> None:
     """Give a lifted model the properties of its dimensions, with their values after a solve."""
-    said_here, bound = _said_here(obj, graph), _bound_names(obj)
+    said_here, bound = _said_here(obj, graph), bound_names(obj)
     drives, sizes = driving_and_measured(obj, graph, solution)
     _remove_others(obj, {dimension.name for dimension in sizes})
     there, words = set(obj.PropertiesList), Words(graph, solution)
@@ -142,10 +87,10 @@ def take_edit(obj: Any, name: str) -> None:
     dimension = dimension_named(name)
     if dimension is None or obj.PhotoSketch is None or not is_edited(obj):
         return
-    if name in _bound_names(obj):
+    if name in bound_names(obj):
         return
     try:
-        if _is_there(pipeline.graph_of(obj.PhotoSketch.Sketch), dimension):
+        if is_there(pipeline.graph_of(obj.PhotoSketch.Sketch), dimension):
             drive(obj, dimension, getattr(obj, name).Value)
     except known_problems() as error:
         host.report(f"{obj.Label}: {in_words(error)}")
@@ -185,10 +130,6 @@ def _drive_angle(obj: Any, graph: SketchGraph, dimension: Dimension, value: floa
         said_here = with_angle(graph, said_here, corner, value)
     say_angles(obj, said_here)
     return True
-
-
-def _bound_names(obj: Any) -> set[str]:
-    return {path.lstrip(".") for path, _ in obj.ExpressionEngine if is_dimension(path.lstrip("."))}
 
 
 def _remove_others(obj: Any, names: set[str]) -> None:

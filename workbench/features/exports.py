@@ -157,7 +157,7 @@ def export_print(
 
 def print_file(shelled_solid: Any, name: str, ending: str) -> bytes:
     """One file of a shelled solid, whatever its format."""
-    from .dimensions import driven_text
+    from .driven import driven_text
     from .shelled_solid import settings_of as shell_settings_of
 
     settings = shell_settings_of(shelled_solid)

@@ -11,7 +11,7 @@ from .. import host
 from ..problems import in_words, known_problems
 from ..wording import in_language
 from . import pipeline
-from .dimensions import driven_text
+from .driven import driven_text
 from .plate_set import is_plate_set, joined_of, settings_of
 from .properties import OUTCOME, Editor, Property, fail, set_outcome
 from .proxy import Proxy, is_of_type

@@ -9,7 +9,8 @@ from ..problems import StoppedError, in_words, known_problems
 from ..wording import in_language
 from . import pipeline
 from .dimension_names import is_dimension
-from .dimensions import driven_text, show_dimensions, take_edit
+from .dimensions import show_dimensions, take_edit
+from .driven import driven_text
 from .methods import METHOD
 from .model_angles import SAID
 from .properties import OUTCOME, Editor, Property, fail, set_outcome

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import pipeline
 from .dimension_names import ANGLE, DIAMETER, HEIGHT, LENGTH, Dimension
-from .dimensions import driven_text
+from .driven import driven_text
 from .model_angles import in_order
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ from .. import host
 from ..problems import in_words, known_problems
 from ..wording import in_language
 from . import pipeline
-from .dimensions import driven_text
+from .driven import driven_text
 from .preset_proxy import PresetProxy
 from .properties import OUTCOME, TAKEN, Editor, Property, apply_preferences, fail, set_outcome
 from .proxy import is_of_type

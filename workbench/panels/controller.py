@@ -18,6 +18,7 @@ from ..canvas.photo import LARGE_PX, PhotoError, load_photo, photo_size
 from ..canvas.photo_loading import PhotoLoading
 from ..canvas.solved import Solved
 from ..features import pipeline
+from ..features.driven import driven_graph, shown_source
 from ..features.lifted_model import is_lifted_model
 from ..features.photo_change import replace_photo
 from ..features.plate_set import is_plate_set
@@ -58,7 +59,7 @@ class SketchController:
         self.preview = ShapePreview(self.document_name)
         self.photo_plane = PhotoPlane(obj)
         self._camera: Camera | None = None
-        self.lifting = Lifting(self.tab)
+        self.lifting = Lifting(self.tab, self._driven)
         #: The last lift: what it is of, and what came of it.
         self.lift: tuple[SketchGraph, Solution] | None = None
         #: Told of every new lift.
@@ -84,18 +85,18 @@ class SketchController:
 
         graph = self._with_new_faces(graph)
         text = sketch_to_text(graph)
-        self._lift_ahead(graph, text)
+        self._lift_ahead(graph, self._source(text))
         document = self.obj.Document
         with host.transaction(document, host.translate("InContext", words)):
             self.obj.Sketch = text
             document.recompute()
 
-    def _lift_ahead(self, graph: SketchGraph, text: str) -> None:
+    def _lift_ahead(self, graph: SketchGraph, source: str) -> None:
         """Have the solution ready that the recompute of a model asks for: it would wait for it."""
-        if pipeline.known_solution_of(text) is None and _dependents(self.obj):
-            solution = lift_in_time(graph, self.lift)
+        if pipeline.known_solution_of(source) is None and self.models:
+            solution = lift_in_time(graph, self._driven(graph), self.lift)
             if solution is not None:
-                pipeline.remember_solution(text, solution)
+                pipeline.remember_solution(source, solution)
 
     def _with_new_faces(self, graph: SketchGraph) -> SketchGraph:
         """The graph with the faces that came with an edit, where it lists its faces."""
@@ -111,7 +112,7 @@ class SketchController:
             # Its faces come with the edit that makes it solvable.
             return graph
         pipeline.remember_solution(sketch_to_text(graph), solution)
-        known = pipeline.known_solution_of(self.obj.Sketch)
+        known = self._known_solution()
         return with_new_faces((stored, known), (graph, solution))
 
     def undo(self) -> None:
@@ -195,9 +196,18 @@ class SketchController:
 
     # The lift
 
+    def _driven(self, graph: SketchGraph) -> SketchGraph:
+        return driven_graph(next(iter(self.models), None), graph)
+
+    def _source(self, text: str) -> str:
+        return shown_source(next(iter(self.models), None), text)
+
+    def _known_solution(self) -> Solution | None:
+        return pipeline.known_solution_of(self._source(self.obj.Sketch))
+
     def _want(self, graph: SketchGraph) -> None:
         """Have the graph that is shown lifted."""
-        if pipeline.known_solution_of(self.obj.Sketch) and graph is self._stored_graph():
+        if graph is self._stored_graph() and self._known_solution() is not None:
             self.show_outcome()
         elif graph.edges or graph.circles:
             self.lifting.want(graph, in_hand=self.tab.view.is_in_hand)
@@ -209,7 +219,7 @@ class SketchController:
         """Show a lift that has just come, of the document's sketch or of one in the hand."""
         self.lift = (graph, solution)
         if graph is self._stored_graph():
-            pipeline.remember_solution(self.obj.Sketch, solution)
+            pipeline.remember_solution(self._source(self.obj.Sketch), solution)
             self.show_outcome()
         else:
             self._show_solution(solution, in_hand=True)
@@ -249,8 +259,7 @@ class SketchController:
 
     def show_outcome(self) -> None:
         """Say in the tab's bar how the last recompute of what depends on the sketch went."""
-        solution = pipeline.known_solution_of(self.obj.Sketch)
-        graph = self._stored_graph()
+        solution, graph = self._known_solution(), self._stored_graph()
         if solution is None or graph is None:
             # It comes when it is ready.
             self._want(self.tab.view.graph)

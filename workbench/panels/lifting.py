@@ -6,6 +6,8 @@ wanted
     The graph that was asked for last; older ones are forgotten.
 in hand
     A graph in the middle of a drag. It is lifted from the last shape, which takes a millisecond.
+driven
+    A graph with what is said beside it, as it is solved.
 at once
     A solve inside the event loop, ended after a blink; most are. What is not done by then goes
     on in a thread: a thread from the start would cost every painting its turns at Python's lock.
@@ -16,6 +18,7 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from ..canvas.qt import QtCore
@@ -39,10 +42,11 @@ STALE_S = 0.5
 
 
 class _Job:
-    """One solve in a thread."""
+    """One solve in a thread, of a graph that is driven."""
 
-    def __init__(self, graph: SketchGraph) -> None:
+    def __init__(self, graph: SketchGraph, driven: SketchGraph) -> None:
         self.graph = graph
+        self._driven = driven
         self.solution: Solution | None = None
         self.took_s = 0.0
         self.began = time.perf_counter()
@@ -52,7 +56,7 @@ class _Job:
 
     def _run(self) -> None:
         began = time.thread_time()
-        self.solution = _lift(self.graph, self._unwanted.is_set)
+        self.solution = _lift(self._driven, self._unwanted.is_set)
         self.took_s = time.thread_time() - began
 
     @property
@@ -82,6 +86,12 @@ class _Late:
 class Lifting(QtCore.QObject):
     """Solves the wanted graph.
 
+    Parameters
+    ----------
+    parent : QObject or None
+    driven : callable
+        Gives a graph with what is said beside it.
+
     Signals
     -------
     lifted(object, object)
@@ -91,8 +101,13 @@ class Lifting(QtCore.QObject):
 
     lifted = QtCore.Signal(object, object)
 
-    def __init__(self, parent: QtCore.QObject | None = None) -> None:
+    def __init__(
+        self,
+        parent: QtCore.QObject | None = None,
+        driven: Callable[[SketchGraph], SketchGraph] = lambda graph: graph,
+    ) -> None:
         super().__init__(parent)
+        self._driven = driven
         self._wanted: SketchGraph | None = None
         self._job: _Job | None = None
         self._last: tuple[SketchGraph, Solution] | None = None
@@ -165,19 +180,19 @@ class Lifting(QtCore.QObject):
         if not self._is_slow:
             began = time.thread_time()
             late = _Late(began + BLINK_S)
-            solution = _lift(graph, late)
+            solution = _lift(self._driven(graph), late)
             self._is_slow = time.thread_time() - began > BLINK_S
             if not late.said_so:
                 self._deliver(graph, solution)
                 return
-        self._job = _Job(graph)
+        self._job = _Job(graph, self._driven(graph))
         self._poll.start()
 
     def _follow(self, graph: SketchGraph, last: tuple[SketchGraph, Solution]) -> None:
         """A few steps from the last shape; what is to be known of a drag is found at its start."""
         if self._drag is None:
-            self._drag = pipeline.begin_drag(*last)
-        self._drag = pipeline.drag(self._drag, graph)
+            self._drag = pipeline.begin_drag(self._driven(last[0]), last[1])
+        self._drag = pipeline.drag(self._drag, self._driven(graph))
         self._deliver(graph, self._drag.solution)
 
     def _look(self) -> None:
@@ -209,6 +224,7 @@ class Lifting(QtCore.QObject):
         if graph is self._wanted:
             self._wanted = None
         if solution is not None:
+            solution = replace(solution, sketch=graph)
             self._last = (graph, solution)
             self.lifted.emit(graph, solution)
 
@@ -223,7 +239,9 @@ def _lift(
         return None
 
 
-def lift_in_time(graph: SketchGraph, last: tuple[SketchGraph, Solution] | None) -> Solution | None:
+def lift_in_time(
+    graph: SketchGraph, driven: SketchGraph, last: tuple[SketchGraph, Solution] | None
+) -> Solution | None:
     """A solution for a document that is about to be recomputed; None where none came in time.
 
     From nothing where that takes a blink; else from the last shape, which the hand has led there:
@@ -232,9 +250,9 @@ def lift_in_time(graph: SketchGraph, last: tuple[SketchGraph, Solution] | None) 
     known = last[1] if last is not None and _is_alike(last[0], graph) else None
     for start in (None,) if known is None else (None, known):
         late = _Late(time.thread_time() + BLINK_S)
-        solution = _lift(graph, late, start)
+        solution = _lift(driven, late, start)
         if not late.said_so:
-            return solution
+            return None if solution is None else replace(solution, sketch=graph)
     return None
 
 

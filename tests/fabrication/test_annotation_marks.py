@@ -9,6 +9,7 @@ from incontext.solver.annotations import (
     Diameter,
     EqualLength,
     Length,
+    OnFace,
     Parallel,
     RightAngle,
     SymmetryPlane,
@@ -49,6 +50,7 @@ def marked(*annotations, at=AT):
         (Length("e0", 150.0), RED, (200, 62), 90),
         (Length("e2", 12.5), RED, (200, 338), 90),
         (Angle("v1", ("e0", "e1"), 70.0), RED, (340, 70), 120),
+        (OnFace("v3", "f1"), RED, (100, 300), 22),
         (Diameter("c1", 40.0), RED, (480, 258), 130),
     ],
 )

@@ -1,4 +1,4 @@
-"""What is said of a sketch, drawn over it: right angles, parallels, equal lengths, sizes.
+"""What is said of a sketch, drawn over it: right angles, parallels, what touches, sizes.
 
 Terms
 -----
@@ -20,6 +20,7 @@ from ...solver.annotations import (
     Diameter,
     EqualLength,
     Length,
+    OnFace,
     Parallel,
     RightAngle,
     SymmetryPlane,
@@ -35,6 +36,8 @@ RED = (214, 48, 40)
 PURPLE = (122, 60, 190)
 #: Heights of letters and sizes of marks, in px of the finished picture.
 _LETTERS, _SQUARE, _SMALL, _BESIDE, _MARGIN = 9.0, 14.0, 5.0, 8.0, 5.0
+#: Of rings around vertices, outside of their discs.
+_RING = 9.0
 #: Parallels and equal lengths are marked this part of the way along: one beside the other.
 _PARALLEL_AT, _EQUAL_AT = 0.62, 0.38
 #: So many marks tell groups apart; then they begin anew.
@@ -75,7 +78,7 @@ class AnnotationMarks:
             self._right_angle(mark)
 
     def on_lines(self) -> None:
-        """Parallels, equal lengths, what symmetry planes halve; sizes."""
+        """Parallels, equal lengths, what symmetry planes halve, what touches a face; sizes."""
         for n, parallel in enumerate(self._of(Parallel)):
             _, first = self._place(parallel.edges[0], _PARALLEL_AT)
             for edge in parallel.edges:
@@ -86,6 +89,8 @@ class AnnotationMarks:
         for plane in self._of(SymmetryPlane):
             for edge in plane.midpoints_of:
                 self._diamond(self._place(edge, 0.5)[0])
+        for touching in self._of(OnFace):
+            self._ring(self._at[touching.vertex])
         self._sizes()
 
     def _sizes(self) -> None:
@@ -141,6 +146,11 @@ class AnnotationMarks:
         size = _SMALL * self._px
         ring = [(0, -1), (1, 0), (0, 1), (-1, 0), (0, -1)]
         self._stroke([place + size * np.array(corner) for corner in ring], PURPLE)
+
+    def _ring(self, place: Array) -> None:
+        angles = np.linspace(0.0, 2 * np.pi, 49)
+        radius = _RING * self._px
+        self._stroke([place + radius * np.array([np.cos(a), np.sin(a)]) for a in angles], RED)
 
     def _frame(self, way: Array) -> tuple[Array, Array]:
         """The way and what is square to it, as long as a small mark."""

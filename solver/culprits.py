@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 
 from .annotations import Angle, Diameter, Length
@@ -15,7 +16,7 @@ from .blaming import (
     needs_a_closer_look,
     suspicion,
 )
-from .candidates import MAX_COORDINATES, MAX_NUMBERS, is_settled, reading_of
+from .candidates import MAX_COORDINATES, MAX_NUMBERS, drawing_rms, is_settled, reading_of
 from .diagnosis import (
     Reading,
     disagree,
@@ -27,7 +28,7 @@ from .effort import GUESSING, Effort
 from .graph import SketchGraph
 from .leaning import as_leaning, leaning_reading
 from .lifting import Lifted, lift
-from .problem import conditions_of
+from .problem import IMAGINED_SIGMA, conditions_of
 from .starting.rescuing import found_otherwise, lift_as_guessed, rescued
 from .structure import Structure, build_structure
 from .values import Stop
@@ -83,12 +84,24 @@ def lift_or_blame(
     # What was found at first sight only is finished.
     effort.allow_a_last_descent()
     lifted = lift(core, structure, effort) if lifted.doubtful else lifted
-    if lifted is not None and not is_settled(lifted):
-        effort.doing("beginning from other shapes")
-        lifted = rescued(core, lifted, effort) or lifted
+    if lifted is not None and (blamed is None or not is_settled(lifted)):
+        lifted = _better_from_elsewhere(core, lifted, effort)
     if lifted is not None and blamed is None and is_settled(lifted):
         blamed = suspicion(core, lifted, effort)
     return lifted, blamed
+
+
+def _better_from_elsewhere(core: SketchGraph, lifted: Lifted, effort: Effort) -> Lifted:
+    """Begun from other shapes, where this one does not hold, or is further off than people draw.
+
+    That no false annotation and no lean explains it shows that it may be the wrong valley.
+    """
+    missed = drawing_rms(lifted) if is_settled(lifted) else math.inf
+    if missed < IMAGINED_SIGMA:
+        return lifted
+    effort.doing("beginning from other shapes")
+    other = rescued(core, lifted, effort)
+    return lifted if other is None or TIMES_BETTER * drawing_rms(other) > missed else other
 
 
 def _at_first_sight(core: SketchGraph, lifted: Lifted, rest: _Rest) -> Blame | None:

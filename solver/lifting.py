@@ -150,10 +150,16 @@ def lift_near(
     near = Lifted(problem, full, minimum, above)
     if not above or not minimum.converged:
         return None
-    if problem.log_focal_prior is not None:
-        return near
-    unsure = is_unsure_of_focal(full, minimum.x)
-    return replace(_as_expected(graph, near, USUAL if unsure else None, stop), focal_assumed=unsure)
+    return with_usual_focal(graph, near, stop)
+
+
+def with_usual_focal(graph: SketchGraph, found: Lifted, stop: Stop | None) -> Lifted:
+    """With what is expected of a focal length that nobody told, as far as the drawing leaves it."""
+    if found.problem.log_focal_prior is not None:
+        return found
+    unsure = is_unsure_of_focal(found.full, found.minimum.x)
+    expected = _as_expected(graph, found, USUAL if unsure else None, stop)
+    return replace(expected, focal_assumed=unsure)
 
 
 def _shows_no_perspective(lifted: Lifted) -> bool:

@@ -6,21 +6,23 @@ From what the drawing suggests, or from a shape whose annotations give way as sp
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from ..blaming import CLOSER_LOOK_RMS, DOUBTFUL_RMS
-from ..candidates import MAX_COORDINATES, Candidate, Near, is_settled, reading_of
+from ..candidates import MAX_COORDINATES, NEAR_ITERATIONS, Candidate, Near, is_settled, reading_of
 from ..candidates import lift_near as near_to
 from ..diagnosis import KnownShape, beginnings, pose_near
-from ..full import EXIF_LOG_SIGMA, FocalPrior, FullProblem
+from ..full import FullProblem
 from ..graph import SketchGraph
+from ..initial import views
 from ..least_squares import Minimum, minimise
-from ..lifting import Lifted, is_unsure_of_focal, lift
+from ..lifting import Lifted, initial_pose, lift, told_focal, with_usual_focal
 from ..problem import Problem, build_problem
 from ..structure import Structure, build_structure
 from ..values import Stop
 from ..world import camera_above_ground
-from .focal_prior import USUAL
 from .guessing import guesses
+from .turned_views import turned_views
 
 #: So many right angles that shared coordinates do not hold make a sketch that leaves much open.
 MANY_RIGHT_ANGLES = 4
@@ -43,6 +45,7 @@ def rescued(graph: SketchGraph, lifted: Candidate, stop: Stop) -> Lifted | None:
     """A shape that all annotations hold for, where the usual way did not lead to one."""
 
     def found() -> Iterator[Near | None]:
+        yield from _from_turned_cameras(graph, lifted.problem, stop)
         yield from _near_guesses(graph, lifted.problem, stop)
         yield from _where_all_give_way(graph, lifted, stop)
 
@@ -75,6 +78,20 @@ def _first_good(graph: SketchGraph, found: Iterator[Near | None], stop: Stop) ->
             if reading.rms < CLOSER_LOOK_RMS:
                 break
     return None if best is None or best[0] > DOUBTFUL_RMS else best[1]
+
+
+def _from_turned_cameras(graph: SketchGraph, problem: Problem, stop: Stop) -> Iterator[Near]:
+    """Begun from cameras that the lines allow as well."""
+    full = FullProblem(problem, told_focal(problem))
+    best = next(views(problem), None)
+    if best is None or not problem.structure.has_axes:
+        return
+    for R, log_focal in turned_views(problem, best.R, best.log_focal):
+        pose = initial_pose(problem, replace(best, R=R, log_focal=log_focal))
+        if pose is not None:
+            minimum = minimise(full, pose, max_iterations=NEAR_ITERATIONS, enough=1e-6, stop=stop)
+            above = camera_above_ground(graph, problem, minimum.x)
+            yield Near(problem, full, minimum, above)
 
 
 def _near_guesses(graph: SketchGraph, problem: Problem, stop: Stop) -> Iterator[Near | None]:
@@ -111,16 +128,11 @@ def _finished(graph: SketchGraph, near: Near | None, stop: Stop) -> Lifted | Non
     """With what is known of the focal length."""
     if near is None:
         return None
-    full, x, assumed = near.full, near.minimum.x, False
-    known = near.problem.log_focal_prior
-    if known is None and is_unsure_of_focal(full, x):
-        assumed = True
-        full = FullProblem(near.problem, USUAL)
-    elif known is not None and near.problem.camera is None:
-        full = FullProblem(near.problem, FocalPrior(known, EXIF_LOG_SIGMA))
+    problem, last = near.problem, near.minimum
     if not near.as_guessed:
-        minimum = minimise(full, x, near=True, stop=stop)
-        found = Lifted(near.problem, full, minimum, near.above, assumed)
+        full = FullProblem(problem, told_focal(problem))
+        minimum = minimise(full, last.x, near=True, stop=stop)
+        found = with_usual_focal(graph, Lifted(problem, full, minimum, near.above), stop)
         if is_settled(found):
             return found
-    return Lifted(near.problem, near.full, near.minimum, near.above, as_guessed=near.as_guessed)
+    return Lifted(problem, near.full, last, near.above, as_guessed=near.as_guessed)

@@ -126,14 +126,15 @@ def made(graph: SketchGraph, solution: Solution, photo: Image.Image | None, orde
         joined = joined_plates(model, order.plates)
         files |= _plate_files(joined, order.plates, order)
         notes += notes_of(joined)
-        notes += _locks(joined.plates, strict=order.extras.assembly)
+        steps, locked = _steps(joined.plates, strict=order.extras.assembly)
+        notes += locked
         details += [*effects(order.plates), *(joint.words for joint in joined.joints)]
         check = plates_check(joined, model, graph, solution)
         notes += check.problems
         details += check.lines
         if order.extras.assembly:
-            files |= _assembly_files(joined.plates, order.name)
-            details += [step.words for step in _steps(joined.plates)]
+            files |= _assembly_files(joined.plates, steps, order.name)
+            details += [step.words for step in steps]
         shown = _plates_shown(joined.plates)
     if order.shell is not None:
         ending = "solid.step" if order.plates is not None else "step"
@@ -209,34 +210,27 @@ def coupon_files(settings: PlateSettings, shop: ShopSettings, name: str) -> dict
     }
 
 
-def _steps(plates: Sequence[Plate]) -> tuple[Step, ...]:
-    from .fabrication.assembly import assembly_steps
-
-    return assembly_steps(plates)
-
-
-def _locks(plates: Sequence[Plate], *, strict: bool) -> list[str]:
-    """What to say where plates cannot be put together; an error where the order is asked for."""
-    from .fabrication.assembly import LockedError
+def _steps(plates: Sequence[Plate], *, strict: bool) -> tuple[tuple[Step, ...], list[str]]:
+    """How plates go together, and what to say where they do not; an error where it is asked for."""
+    from .fabrication.assembly import LockedError, assembly_steps
 
     try:
-        _steps(plates)
+        return assembly_steps(plates), []
     except LockedError as error:
         if strict:
             raise
-        return [str(error)]
-    return []
+        return (), [str(error)]
 
 
-def _assembly_files(plates: Sequence[Plate], name: str) -> dict[str, bytes]:
+def _assembly_files(plates: Sequence[Plate], steps: Sequence[Step], name: str) -> dict[str, bytes]:
     from .fabrication.assembly import exploded
     from .fabrication.picture import scene_png
     from .fabrication.rendering import plates_scene
 
-    lines = [f"{n}. {step.words}" for n, step in enumerate(_steps(plates), start=1)]
+    lines = [f"{n}. {step.words}" for n, step in enumerate(steps, start=1)]
     return {
         f"{name}.assembly.txt": "\n".join([*lines, ""]).encode(),
-        f"{name}.exploded.png": scene_png(plates_scene(exploded(plates))),
+        f"{name}.exploded.png": scene_png(plates_scene(exploded(plates, steps))),
     }
 
 

@@ -85,6 +85,18 @@ PARTITIONED = {
 }
 
 
+def many_sided(n: int = 9, **options):
+    """A frustum with n sides, no two alike: few plates leave square to themselves."""
+    turns = 2 * np.pi * np.arange(n) / n + 0.1 * np.sin(np.arange(n))
+    low = [(100 * np.cos(t), 80 * np.sin(t), 0.0) for t in turns]
+    high = [(1.2 * x, 1.2 * y, 90.0) for x, y, _ in low]
+    loops = {"bottom": low, "top": high}
+    for k in range(n):
+        m = (k + 1) % n
+        loops[f"s{k}"] = [low[k], low[m], high[m], high[k]]
+    return shapes.model(loops, **options)
+
+
 def void_mm2(theta: float, t: float) -> float:
     """What two plates of one thickness must leave empty, mm3 for each mm of their edge."""
     if theta <= math.pi / 2:

@@ -15,6 +15,7 @@ MODELS = {
     "crossed": slanted.crossed,
     "hexagon with shelf": slanted.hexagon_with_shelf,
     "board": shapes.board,
+    "many-sided": slanted.many_sided,
 }
 
 
@@ -76,7 +77,7 @@ def test_two_locked_plates_are_found_among_others():
 
 def test_exploded_plates_are_apart():
     plates = make_plates(shapes.organizer_6())
-    apart = exploded(plates, 50.0)
+    apart = exploded(plates, assembly_steps(plates), 50.0)
     assert [p.id for p in apart] == [p.id for p in plates]
     still = 0
     for before, after in zip(plates, apart, strict=True):

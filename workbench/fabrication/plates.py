@@ -74,6 +74,13 @@ class Plate:
         width, height = np.ptp(self.outline, axis=0)
         return float(width), float(height)
 
+    @property
+    def corners_mm(self) -> Array:
+        """Those of the outline on both of its faces, in the world: (2 k, 3)."""
+        rotation, origin = self.world_from_plate[:3, :3], self.world_from_plate[:3, 3]
+        lower = self.outline @ rotation[:, :2].T + origin
+        return np.vstack([lower, lower + self.thickness_mm * rotation[:, 2]])
+
 
 def make_plates(model: Model, settings: PlateSettings = _DEFAULTS) -> tuple[Plate, ...]:
     """Plates of a model that fit together: the plates of `joined_plates`."""

@@ -215,14 +215,15 @@ def _put_together(
 ) -> tuple[tuple[Any, ...], tuple[str, ...], tuple[str, ...]]:
     """The plates where they are shown, the steps to them, and why there are none."""
     try:
-        steps = tuple(step.words for step in pipeline.steps_of(joined))
-        if not exploded:
-            return joined.plates, steps, ()
-        from ..fabrication.assembly import exploded as apart
-
-        return apart(joined.plates), steps, ()
+        steps = pipeline.steps_of(joined)
     except known_problems() as error:
         return joined.plates, (in_words(error),), (in_words(error),)
+    plates = joined.plates
+    if exploded:
+        from ..fabrication.assembly import exploded as apart
+
+        plates = apart(plates, steps)
+    return plates, tuple(step.words for step in steps), ()
 
 
 def _set_lines(obj: Any, name: str, lines: tuple[str, ...]) -> None:

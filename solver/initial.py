@@ -34,6 +34,8 @@ LOG_FOCAL_RANGE = (float(np.log(0.4)), float(np.log(1e5)))
 GOOD_MISFIT = 0.02
 #: Where the formula's view fits them to this, it is good enough to weigh each of many lines by.
 FAIR_MISFIT = 0.04
+#: Where it fits them to this, the full step goes on from it at once.
+TELLING_MISFIT = 0.08
 #: From so many lines on it pays to weigh each by how well its ends can be drawn.
 MANY_LINES = 30
 #: Iterations on the lines alone; the full step goes on from there. So few are enough to weigh each
@@ -65,15 +67,15 @@ class Start:
 
 
 def views(problem: Problem) -> Iterator[Start]:
-    """As `starts`; where one camera meets the drawn lines exactly, the others are worked out only
-    if they are asked for."""
+    """As `starts`; where the vanishing points tell a camera that agrees well with all lines, it
+    comes first, and the others are worked out only if they are asked for."""
     if not problem.structure.has_axes:
         yield from starts(problem)
         return
     lines = _lines_of(problem)
-    exact = _exact_start(problem, lines)
-    if exact is not None:
-        yield exact
+    first = _told_at_once(problem, lines)
+    if first is not None:
+        yield first
     yield from _upright_ones(problem, _from_lines(problem, lines))
 
 
@@ -112,13 +114,13 @@ def _upright_ones(problem: Problem, found: list[Start]) -> list[Start]:
     return _distinct([replace(s, R=_upright(s.R, vertical, up)) for s in found])
 
 
-def _exact_start(problem: Problem, lines: _Lines) -> Start | None:
-    """The camera that the vanishing points tell, where it meets all lines to the last digits."""
+def _told_at_once(problem: Problem, lines: _Lines) -> Start | None:
+    """The camera that the vanishing points tell, where it meets all of enough lines well."""
     pencils, told = lines.pencils, lines.told
     enough = len(lines.drawn) >= max(ENOUGH_LINES, len(pencils.directions) + 3)
     if told is None or not enough or problem.camera is not None:
         return None
-    return None if told.misfit > EXACT_MISFIT**2 * pencils.total else told
+    return None if told.misfit > TELLING_MISFIT**2 * pencils.total else told
 
 
 def _upright(R: Array, vertical: int, up: Array) -> Array:

@@ -16,7 +16,8 @@ from itertools import islice
 
 import numpy as np
 
-from .blaming import is_doubtful
+from .blaming import BARELY, SMALL_LOOK_RMS, is_doubtful
+from .candidates import drawing_rms
 from .diagnosis import focal_sigma
 from .full import EXIF_LOG_SIGMA, FocalPrior, FullProblem, Pose
 from .graph import SketchGraph
@@ -97,6 +98,8 @@ class Lifted:
         Whether edges drawn along three directions are square though nobody said so.
     drawn : Lifted or None
         What is drawn, where sizes made another shape of it: it tells how sure all this is.
+    told : bool
+        Whether the drawing tells it so well that no other view was looked at.
     """
 
     problem: Problem
@@ -108,6 +111,7 @@ class Lifted:
     twofold: bool = False
     as_guessed: bool = False
     drawn: Lifted | None = None
+    told: bool = False
 
 
 def lift(
@@ -122,7 +126,7 @@ def lift(
     best = _best(graph, problem, told_focal(problem), stop, wary=wary)
     if known is not None or (best is not None and best.doubtful):
         return best
-    if best is None or is_unsure_of_focal(best.full, best.minimum.x):
+    if best is None or (not best.told and is_unsure_of_focal(best.full, best.minimum.x)):
         usual = replace(problem, log_focal_prior=USUAL.log_focal)
         assumed = _best(graph, usual, USUAL, stop)
         if assumed is None or (best is not None and _shows_no_perspective(best)):
@@ -303,6 +307,9 @@ def _best(
                 least = min(least, tried[-1].minimum.cost)
             if _is_exact(tried[-1]):
                 break
+        if len(tried) == 1 and _is_told(graph, tried[0]):
+            tried = [replace(tried[0], told=True)]
+            break
         if wary and tried:
             if all(is_doubtful(graph, t) for t in tried):
                 return replace(_preferred(graph, tried)[0], doubtful=True)
@@ -327,6 +334,23 @@ def _best(
         least = min(f.minimum.cost for f in finished)
         finished.append(seen(_Pursuit(carry_on, enough, MAX_ITERATIONS, least).of(begin(pose))))
     return _preferred(graph, finished)[0] if finished else None
+
+
+def _is_told(graph: SketchGraph, t: Lifted) -> bool:
+    """Whether no other view need be looked at.
+
+    The first reading, from above, meets the drawing better than hands draw, with enough left over
+    to check it and to tell the focal length: of 1,100 such readings none was beaten by another.
+    """
+    x, full, problem = t.minimum.x, t.full, t.problem
+    if not (t.above and t.minimum.converged and ground_indices(graph)):
+        return False
+    if problem.log_focal_prior is not None or not problem.structure.has_axes:
+        return False
+    if floats_matter(problem) or drawing_rms(t) > SMALL_LOOK_RMS:
+        return False
+    enough = spare_observations(full, x) >= BARELY * 2 * full.n_vertices
+    return enough and not is_unsure_of_focal(full, x)
 
 
 def _leads_to_one_of(problem: Problem, view: Start, found: list[Pose]) -> bool:

@@ -13,10 +13,17 @@ from .blaming import (
     blame_for_several,
     blame_for_wishes,
     find_blame,
-    needs_a_closer_look,
     suspicion,
 )
-from .candidates import MAX_COORDINATES, MAX_NUMBERS, drawing_rms, is_settled, reading_of
+from .candidates import (
+    MAX_COORDINATES,
+    MAX_NUMBERS,
+    drawing_rms,
+    is_held,
+    is_settled,
+    reading_of,
+)
+from .closer_look import needs_a_closer_look
 from .diagnosis import (
     Reading,
     disagree,
@@ -31,6 +38,7 @@ from .lifting import Lifted, lift
 from .problem import IMAGINED_SIGMA, conditions_of
 from .starting.rescuing import found_otherwise, lift_as_guessed, rescued
 from .structure import Structure, build_structure
+from .trials import Trials
 from .values import Stop
 from .wishes import drawn_shape, fulfilled, proportions_of
 
@@ -56,13 +64,14 @@ def lift_or_blame(
     if lifted is None or effort.stopped:
         return lifted, None
     rest = _Rest(core, effort)
-    relieved, leaning = _at_first_sight(core, lifted, rest), None
+    trials = Trials(core, effort, rest.lifted)
+    relieved, leaning = _at_first_sight(core, lifted, trials), None
     if relieved is None or not relieved.clear:
         lifted, leaning = _with_lean(core, structure, lifted, effort)
     if effort.stopped or _is_fine(core, lifted):
         return leaning or lifted, None
     effort.doing("looking for annotations that disagree")
-    blamed = _most_to_blame(core, lifted, relieved, rest)
+    blamed = _most_to_blame(core, lifted, relieved, trials)
     if effort.stopped:
         return lifted, None
     if leaning is not None and _explains(core, leaning, lifted, blamed, rest):
@@ -74,19 +83,41 @@ def lift_or_blame(
     wished = _as_wished(core, structure, lifted, blamed, effort)
     if wished is not None:
         return wished
-    other = None
     if effort.stopped:
         return lifted, None
-    if blamed is not None and not blamed.held:
-        other = rest.lifted(blamed.ids[0])
-    if other is not None and not other.doubtful:
-        return other, blamed
-    # What was found at first sight only is finished.
+    if blamed is not None and blamed.explains and not blamed.held:
+        other = _shown_without(core, blamed, rest)
+        if other is not None:
+            return other, blamed
+    return _after_all(core, structure, lifted, blamed, trials, rest)
+
+
+def _after_all(
+    core: SketchGraph,
+    structure: Structure,
+    lifted: Lifted,
+    blamed: Blame | None,
+    trials: Trials,
+    rest: _Rest,
+) -> tuple[Lifted | None, Blame | None]:
+    """What is shown where nobody's absence explains the drawing: the verdict on the whole shape."""
+    effort = rest.effort
     effort.allow_a_last_descent()
-    lifted = lift(core, structure, effort) if lifted.doubtful else lifted
-    if lifted is not None and (blamed is None or not is_settled(lifted)):
+    if lifted.doubtful:
+        whole = lift(core, structure, effort)
+        if whole is None:
+            return None, blamed
+        lifted = whole
+        if is_held(lifted):
+            blamed = blame_by_relief(core, lifted, trials)
+    if blamed is not None and not blamed.held:
+        other = _shown_without(core, blamed, rest)
+        if other is not None:
+            return other, blamed
+        blamed = None
+    if blamed is None or not is_settled(lifted):
         lifted = _better_from_elsewhere(core, lifted, effort)
-    if lifted is not None and blamed is None and is_settled(lifted):
+    if blamed is None and is_settled(lifted):
         blamed = suspicion(core, lifted, effort)
     return lifted, blamed
 
@@ -104,22 +135,29 @@ def _better_from_elsewhere(core: SketchGraph, lifted: Lifted, effort: Effort) ->
     return lifted if other is None or TIMES_BETTER * drawing_rms(other) > missed else other
 
 
-def _at_first_sight(core: SketchGraph, lifted: Lifted, rest: _Rest) -> Blame | None:
-    """What a first look that misses the drawing by far shows already."""
-    if not lifted.doubtful:
+def _shown_without(core: SketchGraph, blamed: Blame, rest: _Rest) -> Lifted | None:
+    """The shape without the culprit, if it follows the drawing about as well as it is told to."""
+    other = rest.lifted(blamed.ids[0])
+    if other is None or other.doubtful or blamed.best is None:
         return None
-    return blame_by_relief(core, lifted, rest.effort, rest.lifted)
+    reading = reading_of(without(core, blamed.ids[0]), other)
+    return other if reading.explains or reading.rms < TIMES_BETTER * blamed.best.rms else None
+
+
+def _at_first_sight(core: SketchGraph, lifted: Lifted, trials: Trials) -> Blame | None:
+    """What a first look that misses the drawing by far shows already."""
+    return blame_by_relief(core, lifted, trials) if lifted.doubtful else None
 
 
 def _most_to_blame(
-    core: SketchGraph, lifted: Lifted, relieved: Blame | None, rest: _Rest
+    core: SketchGraph, lifted: Lifted, relieved: Blame | None, trials: Trials
 ) -> Blame | None:
     """Looked for from here, and from other beginnings where that does not explain the drawing."""
     if relieved is None and not lifted.doubtful:
-        relieved = blame_by_relief(core, lifted, rest.effort, rest.lifted)
+        relieved = blame_by_relief(core, lifted, trials)
     if relieved is not None and relieved.explains:
         return relieved
-    found = find_blame(core, lifted, rest.effort, rest.lifted, lost=lifted.doubtful)
+    found = find_blame(core, lifted, trials, lost=lifted.doubtful)
     either = [b for b in (relieved, found) if b is not None]
     return min(either, key=lambda b: b.information, default=None)
 

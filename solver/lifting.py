@@ -16,8 +16,8 @@ from itertools import islice
 
 import numpy as np
 
-from .blaming import BARELY, SMALL_LOOK_RMS, is_doubtful
 from .candidates import drawing_rms
+from .closer_look import BARELY, SMALL_LOOK_RMS, is_doubtful
 from .diagnosis import focal_sigma
 from .full import EXIF_LOG_SIGMA, FocalPrior, FullProblem, Pose
 from .graph import SketchGraph
@@ -311,7 +311,7 @@ def _best(
             tried = [replace(tried[0], told=True)]
             break
         if wary and tried:
-            if all(is_doubtful(graph, t) for t in tried):
+            if all(is_doubtful(t) for t in tried):
                 return replace(_preferred(graph, tried)[0], doubtful=True)
             wary = False
         if tried and (_is_exact(tried[-1]) or (stop is not None and stop())):

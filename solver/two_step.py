@@ -16,9 +16,10 @@ from functools import partial
 
 import numpy as np
 
-from .blaming import Blame, needs_a_closer_look
+from .blaming import Blame
 from .blas_threads import one_blas_thread
 from .candidates import MAX_COORDINATES, MAX_NUMBERS
+from .closer_look import needs_a_closer_look
 from .culprits import lift_or_blame, lift_without_culprit
 from .designing import as_designed
 from .diagnosis import disagree

@@ -1,7 +1,7 @@
 """What is left open, what disagrees, and how sure the result is."""
 
 from .again import KnownShape, pose_in, pose_near
-from .blame import MAX_TRIED, Reading, as_well, best_first, contradicts, convict
+from .blame import LEAST_NOTICEABLE, MAX_TRIED, Reading, as_well, best_first, contradicts, convict
 from .clashes import Clash, clashing_annotations, disagree, find_clash, without
 from .freedoms import Freedoms, freedoms
 from .helpful import busiest_vertex, most_helpful_corner, says_directions
@@ -21,6 +21,7 @@ from .undecided import is_undecided
 from .unmet import size_of, unmet_annotations
 
 __all__ = [
+    "LEAST_NOTICEABLE",
     "MANY_UNKNOWNS",
     "MAX_TRIED",
     "MAX_UNKNOWNS",

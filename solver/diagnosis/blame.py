@@ -27,8 +27,9 @@ CHANCE, CHANCE_AS_DRAWN = 1e-5, 0.01
 NOTICEABLE = 0.005
 #: Among many vertices as well a few that are off: as much as eight would be by that.
 NOTICEABLE_FALL = 8 * NOTICEABLE**2
-#: Less is noticed, down to half a pixel, where the drawing is met so many times better without.
-LEAST_NOTICEABLE, CLEARLY = 0.0007, 3.0
+#: Less is noticed, down to a tenth of a pixel, where the drawing is met so many times better
+#: without.
+LEAST_NOTICEABLE, CLEARLY = 0.0001, 2.0
 #: Of two readings the one with more freedoms follows a drawing better; by chance alone so much
 #: better with at least this probability.
 USUAL_CHANCE = 0.01

@@ -8,9 +8,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from ..blaming import CLOSER_LOOK_RMS, DOUBTFUL_RMS
 from ..candidates import MAX_COORDINATES, NEAR_ITERATIONS, Candidate, Near, is_settled, reading_of
 from ..candidates import lift_near as near_to
+from ..closer_look import CLOSER_LOOK_RMS, DOUBTFUL_RMS
 from ..diagnosis import KnownShape, beginnings, pose_near
 from ..full import FullProblem
 from ..graph import SketchGraph

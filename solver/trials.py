@@ -62,7 +62,7 @@ class Trials:
             return False
         id_, reading = self.best
         shape = self.shapes[id_]
-        if shape is None:
+        if shape is None or (shape not in self._alone and self.stop()):
             return False
         if shape not in self._alone:
             self._alone[shape] = not hints(without(self.graph, id_), shape, reading)

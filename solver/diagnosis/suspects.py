@@ -111,6 +111,8 @@ def relax(
     for begun in [*waiting, [*(own if lost else []), *other_beginnings(graph, soft.problem)]]:
         first = sorted(springs.all_relaxed(begun, FIRST_ITERATIONS), key=lambda t: t[1])
         for x, energy in first[:BEST_BEGINNINGS]:
+            if stop():
+                return
             x, energy = springs.relaxed(x, ITERATIONS)
             if not any(abs(energy - e) < SAME_ENERGY * energy for e in tried):
                 tried.append(energy)

@@ -76,6 +76,7 @@ class _Last:
     supports: tuple[Pose, Support] | None = None
     normal: tuple[Pose, Array, Array] | None = None
     constraints: tuple[Pose, Array, Array] | None = None
+    n_held: tuple[Pose, int] | None = None
 
 
 class FullProblem:
@@ -335,6 +336,13 @@ class FullProblem:
         if len(residuals) == 1:
             return residuals[0], jacobians[0]
         return np.concatenate(residuals), np.vstack(jacobians)
+
+    def n_held(self, x: Pose) -> int:
+        """How many freedoms the constraints take, the rank of H; the last one is kept."""
+        if self._last.n_held is None or self._last.n_held[0] is not x:
+            _, H = self.constraints(x)
+            self._last.n_held = (x, int(np.linalg.matrix_rank(H)) if H.size else 0)
+        return self._last.n_held[1]
 
     def _places_of(self, block: int, at: Linearised) -> IntArray:
         """Where a block's derivatives belong in its rows of H: the same for all positions."""

@@ -120,7 +120,8 @@ def _told_at_once(problem: Problem, lines: _Lines) -> Start | None:
     enough = len(lines.drawn) >= max(ENOUGH_LINES, len(pencils.directions) + 3)
     if told is None or not enough or problem.camera is not None:
         return None
-    return None if told.misfit > TELLING_MISFIT**2 * pencils.total else told
+    limit = TELLING_MISFIT if _likely(told.log_focal) else EXACT_MISFIT
+    return None if told.misfit > limit**2 * pencils.total else told
 
 
 def _upright(R: Array, vertical: int, up: Array) -> Array:

@@ -9,8 +9,6 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from ..full import DRAWING_SIGMA, FocalPrior, FullProblem, Pose
 from ..initial import USUAL_LOG_FOCAL
 
@@ -21,10 +19,8 @@ USUAL = FocalPrior(USUAL_LOG_FOCAL, USUAL_SIGMA)
 
 def spare_observations(full: FullProblem, x: Pose) -> int:
     """How many drawn numbers there are beyond the freedoms of a shape."""
-    _, H = full.constraints(x)
-    held = int(np.linalg.matrix_rank(H)) if H.size else 0
     rows = 2 * full.n_vertices + 5 * len(full.problem.circles)
-    return rows - (4 + full.m - held - len(full.idle_directions(x)) - 1)
+    return rows - (4 + full.m - full.n_held(x) - len(full.idle_directions(x)) - 1)
 
 
 def usual_prior(full: FullProblem, x: Pose, spare: int | None = None) -> FocalPrior | None:

@@ -1882,10 +1882,6 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>mehr als zwei Außenflächen treffen sich in diesen Kanten</translation>
     </message>
     <message>
-        <source>more than two plates meet in one edge</source>
-        <translation>mehr als zwei Platten treffen sich in einer Kante</translation>
-    </message>
-    <message>
         <source>more than {} pairs of edges meet</source>
         <translation>mehr als {} Kantenpaare treffen sich</translation>
     </message>
@@ -2038,10 +2034,6 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>bei der Verbindung ist {} {} mm</translation>
     </message>
     <message>
-        <source>the joints would cut the plate into pieces</source>
-        <translation>die Verbindungen würden die Platte zerteilen</translation>
-    </message>
-    <message>
         <source>the mesh holds {} mm3 instead of {}</source>
         <translation>das Netz umschließt {} mm³ statt {}</translation>
     </message>
@@ -2050,12 +2042,36 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>der Umriss schneidet sich selbst</translation>
     </message>
     <message>
-        <source>the plates would lie in one another</source>
-        <translation>die Platten lägen ineinander</translation>
+        <source>for material outside of the face or in its middle, its outline moves by {} mm and crosses itself: an edge of {} mm would run the other way</source>
+        <translation>für Material außerhalb der Fläche oder in ihrer Mitte verschiebt sich ihr Umriss um {} mm und kreuzt sich selbst: eine Kante von {} mm liefe andersherum</translation>
     </message>
     <message>
-        <source>the plates would lie in one another: their faces are {} mm apart</source>
-        <translation>die Platten lägen ineinander: ihre Flächen sind {} mm voneinander entfernt</translation>
+        <source>the plates would lie in one another: their faces are {} mm apart, and they are {} and {} mm thick</source>
+        <translation>die Platten lägen ineinander: ihre Flächen sind {} mm voneinander entfernt, und sie sind {} und {} mm dick</translation>
+    </message>
+    <message>
+        <source>the plates would lie in one another: {} takes {} of {}, with {} and {} mm</source>
+        <translation>die Platten lägen ineinander: {} nimmt {} von {} weg, bei {} und {} mm</translation>
+    </message>
+    <message>
+        <source>plates of {} mm cut {} into {} pieces {} mm apart</source>
+        <translation>Platten von {} mm zerschneiden {} in {} Teile mit {} mm Abstand</translation>
+    </message>
+    <message>
+        <source>plates of {} mm leave nothing of {}, {} mm wide</source>
+        <translation>Platten von {} mm lassen nichts übrig von {}, {} mm breit</translation>
+    </message>
+    <message>
+        <source>thinner plates, or more room between these faces</source>
+        <translation>dünnere Platten, oder mehr Platz zwischen diesen Flächen</translation>
+    </message>
+    <message>
+        <source>{} plates meet in one edge, and joints are of two</source>
+        <translation>{} Platten treffen sich in einer Kante, und Verbindungen haben zwei</translation>
+    </message>
+    <message>
+        <source>these faces are not flat: corners lie up to {} mm off</source>
+        <translation>diese Flächen sind nicht eben: Ecken liegen bis zu {} mm daneben</translation>
     </message>
     <message>
         <source>the preset {} cannot be read: {}</source>
@@ -2138,16 +2154,8 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>diese Flächen sind ein Körper für sich oder ein Hohlraum im anderen</translation>
     </message>
     <message>
-        <source>these faces are not flat</source>
-        <translation>diese Flächen sind nicht eben</translation>
-    </message>
-    <message>
         <source>thinner plates</source>
         <translation>dünnere Platten</translation>
-    </message>
-    <message>
-        <source>thinner plates, or walls further apart</source>
-        <translation>dünnere Platten oder Wände weiter auseinander</translation>
     </message>
     <message>
         <source>true size on paper</source>
@@ -3118,10 +3126,6 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>owner {}</translation>
     </message>
     <message>
-        <source>the face has edges too short for material outside of it or in its middle: moved there, its outline crosses itself</source>
-        <translation>die Fläche hat zu kurze Kanten für Material außerhalb oder in ihrer Mitte: dorthin verschoben schneidet ihr Umriss sich selbst</translation>
-    </message>
-    <message>
         <source>side inside, or thinner plates</source>
         <translation>Seite inside oder dünnere Platten</translation>
     </message>
@@ -3184,10 +3188,6 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
     <message>
         <source>a print: a shelled solid, --print</source>
         <translation>ein Druck: ein Hohlkörper, --print</translation>
-    </message>
-    <message>
-        <source>thinner plates, or butt joints at its edges</source>
-        <translation>dünnere Platten oder stumpfe Verbindungen an den Kanten</translation>
     </message>
     <message>
         <source>there is no {} {}</source>

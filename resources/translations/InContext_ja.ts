@@ -1882,10 +1882,6 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>これらの辺に3枚以上の外側の面が集まっています</translation>
     </message>
     <message>
-        <source>more than two plates meet in one edge</source>
-        <translation>一つの辺に3枚以上の板が集まっています</translation>
-    </message>
-    <message>
         <source>more than {} pairs of edges meet</source>
         <translation>{} 組を超える辺が交わっています</translation>
     </message>
@@ -2038,10 +2034,6 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>継手の {} が {} mm です</translation>
     </message>
     <message>
-        <source>the joints would cut the plate into pieces</source>
-        <translation>継手が板を切り離してしまいます</translation>
-    </message>
-    <message>
         <source>the mesh holds {} mm3 instead of {}</source>
         <translation>メッシュの体積が {} mm³ です (正しくは {})</translation>
     </message>
@@ -2050,12 +2042,36 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>輪郭が自分と交わっています</translation>
     </message>
     <message>
-        <source>the plates would lie in one another</source>
-        <translation>板が重なります</translation>
+        <source>for material outside of the face or in its middle, its outline moves by {} mm and crosses itself: an edge of {} mm would run the other way</source>
+        <translation>面の外側や中央に材料があると、輪郭が {} mm ずれて自分自身と交わります。長さ {} mm の稜線の向きが逆になります</translation>
     </message>
     <message>
-        <source>the plates would lie in one another: their faces are {} mm apart</source>
-        <translation>板が重なります。面の間隔は {} mm です</translation>
+        <source>the plates would lie in one another: their faces are {} mm apart, and they are {} and {} mm thick</source>
+        <translation>板が重なります。面の間隔は {} mm、板の厚さは {} mm と {} mm です</translation>
+    </message>
+    <message>
+        <source>the plates would lie in one another: {} takes {} of {}, with {} and {} mm</source>
+        <translation>板が重なります。{} が {} だけ {} を占めます。厚さは {} mm と {} mm です</translation>
+    </message>
+    <message>
+        <source>plates of {} mm cut {} into {} pieces {} mm apart</source>
+        <translation>厚さ {} mm の板では {} が {} 個に分かれ、その間隔は {} mm です</translation>
+    </message>
+    <message>
+        <source>plates of {} mm leave nothing of {}, {} mm wide</source>
+        <translation>厚さ {} mm の板では {} は何も残りません。幅は {} mm です</translation>
+    </message>
+    <message>
+        <source>thinner plates, or more room between these faces</source>
+        <translation>板を薄くするか、これらの面の間隔を広げる</translation>
+    </message>
+    <message>
+        <source>{} plates meet in one edge, and joints are of two</source>
+        <translation>一つの稜線で {} 枚の板が合います。継ぎ手は二枚の間のものです</translation>
+    </message>
+    <message>
+        <source>these faces are not flat: corners lie up to {} mm off</source>
+        <translation>これらの面は平らではありません。角が最大 {} mm ずれています</translation>
     </message>
     <message>
         <source>the preset {} cannot be read: {}</source>
@@ -2138,16 +2154,8 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>これらの面は別の立体か、もう一つの立体の中の空洞です</translation>
     </message>
     <message>
-        <source>these faces are not flat</source>
-        <translation>この面は平らではありません</translation>
-    </message>
-    <message>
         <source>thinner plates</source>
         <translation>板を薄くする</translation>
-    </message>
-    <message>
-        <source>thinner plates, or walls further apart</source>
-        <translation>板を薄くするか、壁の間隔を広げる</translation>
     </message>
     <message>
         <source>true size on paper</source>
@@ -3118,10 +3126,6 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>owner {}</translation>
     </message>
     <message>
-        <source>the face has edges too short for material outside of it or in its middle: moved there, its outline crosses itself</source>
-        <translation>面の辺が短すぎて、材料を面の外側や中央に置けません。そこへ移すと輪郭が自分と交わります</translation>
-    </message>
-    <message>
         <source>side inside, or thinner plates</source>
         <translation>side を inside にするか、板を薄くする</translation>
     </message>
@@ -3184,10 +3188,6 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
     <message>
         <source>a print: a shelled solid, --print</source>
         <translation>3D プリント: シェル立体、--print</translation>
-    </message>
-    <message>
-        <source>thinner plates, or butt joints at its edges</source>
-        <translation>板を薄くするか、その辺を突き付けにする</translation>
     </message>
     <message>
         <source>there is no {} {}</source>

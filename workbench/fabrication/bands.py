@@ -24,8 +24,8 @@ from shapely.geometry import Polygon
 
 from ...solver.model import Model
 from ...solver.values import Array
+from .cut_up import CutUpError, cut_up, missing
 from .dihedral import tip_and_notch
-from .errors import FabricationError
 from .finger_joints import divide, least_finger_mm
 from .joints import Joint, JointPlan, Meeting
 from .outlines import NECK_MM
@@ -38,6 +38,7 @@ from .slivers import without_slivers
 from .trimming import (
     on_its_side,
     pointed,
+    takers_of,
     trimmed,
     trimmed_at_openings,
     without_pinholes,
@@ -96,13 +97,10 @@ def band_outlines(
     while True:
         try:
             return _outlines(model, settings, plan)
-        except _CutUpError as error:
-            if not plan.butt_instead(error.ids):
-                raise
-
-
-class _CutUpError(FabricationError):
-    """A plate that its joints cut into pieces; its ids are its faces."""
+        except CutUpError as error:
+            edges = plan.edges_between((error.face_ids[0], *error.others))
+            if not plan.butt_instead(error.face_ids):
+                raise error.at(edges) from None
 
 
 def _outlines(
@@ -110,14 +108,14 @@ def _outlines(
 ) -> tuple[tuple[SlantedWall, ...], list[Polygon]]:
     """The outlines with the joints that the plan allows."""
     walls, partitions, drawn = slanted_walls(model, settings.side)
-    seams = find_seams(walls)
+    names = EdgeNames(model)
+    seams = find_seams(walls, names)
     edges = [_edges(w, walls, seams) for w in range(len(walls))]
     made = tuple(wall for wall in walls if wall.thickness_mm > 0)
     openings = walls[len(made) :]
     walls = made
     # Openings come last: what is left are the seams between plates.
     seams = {key: s for key, s in seams.items() if max(key[0], s.other) < len(walls)}
-    names = EdgeNames(model)
     bands = _bands(walls, seams, edges, plan, settings, names)
     outlines = [_outline(w, walls, edges, bands) for w in range(len(walls))]
     slotted = list(outlines)
@@ -132,43 +130,36 @@ def _outlines(
         lost = [a.difference(b) for a, b in zip(whole, outlines, strict=True)]
         slotted += whole[len(made) :]
         slotted = [a.difference(b) for a, b in zip(slotted, lost, strict=True)]
-    outlines = without_pinholes(walls, trimmed(walls, outlines), slotted)
+    outlines = without_pinholes(walls, trimmed(walls, outlines, plan), slotted)
     thinnest = min(wall.thickness_mm for wall in walls)
-    cut = [
-        _whole(wall, without_slivers(outline, wall.thickness_mm, settings.beam_mm, thinnest))
+    outlines = [
+        without_slivers(outline, wall.thickness_mm, settings.beam_mm, thinnest)
         for wall, outline in zip(walls, outlines, strict=True)
     ]
+    cut = [_whole(n, walls, outlines) for n in range(len(walls))]
     order = list(model.faces)
     ranks = [order.index(wall.face_ids[0]) for wall in walls]
     sequence = sorted(range(len(walls)), key=ranks.__getitem__)
     return tuple(walls[n] for n in sequence), [cut[n] for n in sequence]
 
 
-def _whole(wall: SlantedWall, outline: Polygon) -> Polygon:
-    """The outline in one piece: without corners that joints have cut loose."""
+def _whole(n: int, walls: Sequence[SlantedWall], outlines: Sequence[Polygon]) -> Polygon:
+    """An outline in one piece: without corners that joints have cut loose."""
+    outline = outlines[n]
     thinned = outline.buffer(-NECK_MM, join_style="mitre")
     parts = [part for part in shapely.get_parts(thinned) if not part.is_empty]
     parts.sort(key=lambda part: -part.area)
     lost = sum(part.area for part in parts[1:])
     if not parts or lost > LOOSE_SHARE * parts[0].area:
-        raise _CutUpError(
-            f"the joints cut the plate into {len(parts)} pieces"
-            if parts
-            else "the joints leave nothing of the plate, "
-            f"whose face is {_narrow_mm(wall):.1f} mm wide only",
-            wall.face_ids,
-            "thinner plates, or butt joints at its edges",
-        )
+        drawn = Polygon(walls[n].rings[0], walls[n].rings[1:])
+        takers = takers_of(n, missing(drawn, parts), walls, outlines)
+        thickness = max(walls[w].thickness_mm for w in (n, *takers))
+        names = [walls[w].face_ids[0] for w in takers]
+        raise cut_up(walls[n].face_ids, drawn, parts, names, thickness)
     if len(parts) > 1:
         held = parts[0].buffer(1.01 * NECK_MM, join_style="mitre")
         outline = within(outline, held)
     return without_specks(tidy(max(shapely.get_parts(outline), key=lambda part: part.area)))
-
-
-def _narrow_mm(wall: SlantedWall) -> float:
-    """The shorter side of the box around a wall."""
-    around = np.array(Polygon(wall.rings[0]).minimum_rotated_rectangle.exterior.coords)
-    return float(np.linalg.norm(np.diff(around, axis=0), axis=1).min())
 
 
 @dataclass(frozen=True, slots=True)

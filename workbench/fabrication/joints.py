@@ -15,7 +15,7 @@ choice
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
 from .dihedral import FINGERS_FROM_RAD, FINGERS_TO_RAD
@@ -142,6 +142,11 @@ class Meeting:
         """The edges' ids; the faces' where the sketch has no edge there."""
         return self.edge_ids or (self.one[0], self.two[0])
 
+    @property
+    def everything(self) -> tuple[str, ...]:
+        """The edges' ids and the plates': for errors."""
+        return (*self.edge_ids, self.one[0], self.two[0])
+
 
 @dataclass(frozen=True, slots=True)
 class Joint:
@@ -230,7 +235,7 @@ class JointPlan:
         if kind not in possible:
             raise FabricationError(
                 f"no {kind.replace('_', ' ')} joint can be made where {_FORMS[meeting.form]}",
-                meeting.name,
+                meeting.everything,
                 " or ".join(possible).replace("_", " "),
             )
         reason = ""
@@ -238,7 +243,9 @@ class JointPlan:
             reason = why_no_fingers(meeting, count(finger)) or self._butted.get(_sides(meeting), "")
         if reason:
             if wish.kind is not None:
-                raise FabricationError(f"fingers cannot hold here: {reason}", meeting.name, "butt")
+                raise FabricationError(
+                    f"fingers cannot hold here: {reason}", meeting.everything, "butt"
+                )
             kind = "butt"
         joint = Joint(meeting, kind, finger, play, self._swapped(meeting, wish.owner), reason)
         self.joints.append(joint)
@@ -288,8 +295,20 @@ class JointPlan:
             Where the person chose tabs there.
         """
         if any(c.kind is not None and c.concerns(joint.meeting) for c in self.choices):
-            raise FabricationError(f"tabs cannot hold here: {reason}", joint.meeting.name, "butt")
+            raise FabricationError(
+                f"tabs cannot hold here: {reason}", joint.meeting.everything, "butt"
+            )
         self.joints[self.joints.index(joint)] = replace(joint, kind="butt", reason=reason)
+
+    def edges_between(self, face_ids: Collection[str]) -> tuple[str, ...]:
+        """The sketch's edges in which any two of some plates are joined; one's with any other."""
+        known, enough = {*face_ids}, min(2, len(face_ids))
+        found = [
+            joint.meeting.edge_ids
+            for joint in self.joints
+            if len(known & {joint.meeting.one[0], joint.meeting.two[0]}) == enough
+        ]
+        return tuple(dict.fromkeys(id_ for ids in found for id_ in ids))
 
     def _swapped(self, meeting: Meeting, owner: str | None) -> bool:
         if owner is None or owner in meeting.one:

@@ -32,13 +32,13 @@ _FAR = 1e5
 _ONE_PLANE = 1 - 1e-9
 
 
-def moved_out(
+def moved_corners(
     vertices: Mapping[str, Array],
     loops: Mapping[str, Loops],
     inwards: Mapping[str, Array],
     moves: Mapping[str, float],
-) -> dict[str, tuple[Array, ...]]:
-    """The rings of faces after their planes were moved outwards.
+) -> dict[str, tuple[list[Array], ...]]:
+    """The corners of faces after their planes were moved outwards.
 
     Parameters
     ----------
@@ -52,20 +52,9 @@ def moved_out(
 
     Returns
     -------
-    dict of face id to rings
-        One for each loop, (n, 3) each.
+    dict of face id to loops
+        For each vertex of each loop the corners that it becomes, (n, 3).
     """
-    chains = moved_corners(vertices, loops, inwards, moves)
-    return {id_: tuple(np.vstack(ring) for ring in rings) for id_, rings in chains.items()}
-
-
-def moved_corners(
-    vertices: Mapping[str, Array],
-    loops: Mapping[str, Loops],
-    inwards: Mapping[str, Array],
-    moves: Mapping[str, float],
-) -> dict[str, tuple[list[Array], ...]]:
-    """For each loop of `moved_out`'s faces, and each of its vertices, the corners it becomes."""
     at = _faces_at(loops, inwards)
     corners = {v: _corners(v, at[v], vertices, loops, inwards, moves) for v in at}
     beside = _beside(loops, inwards)
@@ -94,7 +83,7 @@ def mixed_vertices(
     inwards: Mapping[str, Array],
     moves: Mapping[str, float],
 ) -> dict[str, list[str]]:
-    """The mixed vertices of faces, with the faces that meet there; see `moved_out`."""
+    """The mixed vertices of faces, with the faces that meet there; see `moved_corners`."""
     found = {}
     for v, faces in _faces_at(loops, inwards).items():
         if _common_move(faces, inwards, moves) is None:

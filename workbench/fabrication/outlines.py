@@ -15,7 +15,7 @@ import shapely
 from shapely.geometry import Polygon, box
 
 from .clear_slots import clear_slots
-from .errors import FabricationError
+from .cut_up import CutUpError, cut_up, missing
 from .pieces import NO_SLACK, Piece
 from .rectilinear import Raster, rastered, wide_all_over
 from .repairs import Repair
@@ -49,7 +49,7 @@ def cut_outlines(
 
     Raises
     ------
-    FabricationError
+    CutUpError
         Where a wall falls apart whatever is done.
     """
     shared = list(pieces)
@@ -63,6 +63,7 @@ def cut_outlines(
             parts = _parts(outlines[i])
             if len(parts) == 1:
                 seen[i] = outlines[i]
+            if len(parts) < 2:
                 continue
             for n, owner in _mended(i, walls, parts, shared).items():
                 if n not in settled:
@@ -82,13 +83,10 @@ def cut_outlines(
     outlines = repair.outlines
     empty = {tuple(walls[w].face_ids[0] for w in some): v for some, v in repair.empty().items()}
     outlines = [_main_part(wall, outline) for wall, outline in zip(walls, outlines, strict=True)]
-    for i, (wall, outline) in enumerate(zip(walls, outlines, strict=True)):
-        if seen.get(i) is not outline and len(_parts(outline)) != 1:
-            raise FabricationError(
-                "the joints would cut the plate into pieces",
-                wall.face_ids,
-                "thinner plates, or walls further apart",
-            )
+    for i, outline in enumerate(outlines):
+        parts = [outline] if seen.get(i) is outline else _parts(outline)
+        if len(parts) != 1:
+            raise _cut_up(i, walls, parts, repair.pieces)
     whole = [tidy(max(shapely.get_parts(o), key=lambda part: part.area)) for o in outlines]
     return whole, empty, repair.pieces
 
@@ -198,6 +196,24 @@ def _parts(outline: Polygon) -> list[Polygon]:
         return [outline]
     thinned = outline.buffer(-NECK_MM, join_style="mitre")
     return [part for part in shapely.get_parts(thinned) if part.area > NECK_MM**2]
+
+
+def _cut_up(
+    number: int, walls: Sequence[Wall], parts: list[Polygon], pieces: Sequence[Piece]
+) -> CutUpError:
+    """Why a plate is not in one piece: who owns what lies between its parts."""
+    wall = walls[number]
+    parts = sorted(parts, key=lambda part: -part.area)
+    area = missing(wall.drawn, parts)
+    taken: dict[int, float] = {}
+    for piece in pieces:
+        if piece.owner != number and _overlaps(piece, wall):
+            mm2 = _projected(piece, wall, number).intersection(area).area
+            taken[piece.owner] = taken.get(piece.owner, 0.0) + mm2
+    takers = sorted((w for w, mm2 in taken.items() if mm2 > 0), key=lambda w: -taken[w])[:2]
+    thickness = max(walls[w].thickness_mm for w in (number, *takers))
+    names = [walls[w].face_ids[0] for w in takers]
+    return cut_up(wall.face_ids, wall.drawn, parts, names, thickness)
 
 
 def _main_part(wall: Wall, outline: Polygon) -> Polygon:

@@ -20,6 +20,7 @@ from shapely.geometry import Polygon
 from ...solver.model import Model
 from ...solver.values import Array, frozen_array
 from .clear_slots import lost_tabs
+from .cut_up import CutUpError
 from .errors import FabricationError, NotRightAngledError
 from .finger_joints import share_out
 from .frame import Frame, find_frame, leaning_openings, snapped
@@ -139,7 +140,11 @@ def joined_plates(model: Model, settings: PlateSettings = _DEFAULTS) -> Joined:
     else:
         _check_apart(walls)
         pieces = share_out(walls, settings, plan, _edges(model, frame))
-        outlines, empty, pieces = cut_outlines(walls, pieces)
+        try:
+            outlines, empty, pieces = cut_outlines(walls, pieces)
+        except CutUpError as error:
+            edges = plan.edges_between((error.face_ids[0], *error.others))
+            raise error.at(edges) from None
         for joint, reason in lost_tabs(plan.joints, walls, pieces):
             plan.butt_after_all(joint, reason)
         plates = tuple(
@@ -224,8 +229,9 @@ def _check_apart(walls: Iterable[Wall]) -> None:
             if deep > 1e-6 and wall.region.intersection(other.region).area > 1e-6:
                 gap = abs(wall.drawn_mm - other.drawn_mm)
                 raise FabricationError(
-                    f"the plates would lie in one another: their faces are {gap:.4g} mm apart",
-                    (*other.face_ids, *wall.face_ids),
+                    f"the plates would lie in one another: their faces are {gap:.4g} mm apart, "
+                    f"and they are {other.thickness_mm:g} and {wall.thickness_mm:g} mm thick",
+                    (other.face_ids[0], wall.face_ids[0]),
                     "thinner plates",
                 )
         known.append(wall)

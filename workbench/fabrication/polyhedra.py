@@ -111,11 +111,14 @@ def refit(model: Model, loops: Mapping[str, tuple[Loop, ...]]) -> dict[str, Arra
             off = max(off, float(np.abs(gaps).max()))
         if off < 1e-10:
             break
-    moved = {v for v in vertices if np.linalg.norm(vertices[v] - start[v]) > 5 * SNAP_MM}
+    moves = {v: float(np.linalg.norm(vertices[v] - start[v])) for v in vertices}
+    moved = {v for v, move in moves.items() if move > 5 * SNAP_MM}
     bent = [id_ for id_, face in loops.items() if moved & {v for loop in face for v in loop}]
     if off > 1e-6 or bent:
         raise FabricationError(
-            "these faces are not flat", bent or loops, "right-angle annotations, or split the faces"
+            f"these faces are not flat: corners lie up to {max(moves.values()):.2g} mm off",
+            bent or loops,
+            "right-angle annotations, or split the faces",
         )
     return vertices
 

@@ -48,8 +48,14 @@ class Seam:
 Seams = dict[EdgeKey, Seam]
 
 
-def find_seams(walls: Sequence[SlantedWall]) -> dict[tuple[int, int, int], Seam]:
+def find_seams(walls: Sequence[SlantedWall], names: EdgeNames) -> Seams:
     """The seams by (wall, ring, edge); edges that are not in it lie free.
+
+    Parameters
+    ----------
+    walls : sequence of SlantedWall
+    names : EdgeNames
+        For an error.
 
     Raises
     ------
@@ -70,9 +76,10 @@ def find_seams(walls: Sequence[SlantedWall]) -> dict[tuple[int, int, int], Seam]
         made = [edge for edge in edges if walls[edge[0]].thickness_mm > 0]
         edges = made if len(made) > 1 else edges
         if len(made) > 2:
+            meeting = [walls[w] for w, _, _ in made]
             raise FabricationError(
-                "more than two plates meet in one edge",
-                (walls[w].face_ids[0] for w, _, _ in edges),
+                f"{len(made)} plates meet in one edge, and joints are of two",
+                (*(wall.face_ids[0] for wall in meeting), *names.shared(meeting[0], meeting[1])),
                 "leave one of the faces out",
             )
         if len(edges) == 2 and made:
@@ -150,6 +157,11 @@ class EdgeNames:
         return self.on(
             partition, carrier, partition.in_world(flat) + partition.drawn_mm * partition.inwards
         )
+
+    def shared(self, one: SlantedWall, two: SlantedWall) -> tuple[str, ...]:
+        """The ids of the edges that the faces of two walls have in common."""
+        vertices = self._vertices(one) & self._vertices(two)
+        return tuple(id_ for id_, ends in self.model.edges.items() if {*ends} <= vertices)
 
     def _vertices(self, wall: SlantedWall) -> set[str]:
         faces = (self.model.faces[id_] for id_ in wall.face_ids)

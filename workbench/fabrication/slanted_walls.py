@@ -27,11 +27,15 @@ from ...solver.values import Array
 from .enclosed import enclosed
 from .errors import FabricationError
 from .frame import SNAP_MM, newell
-from .offsetting import moved_out
+from .offsetting import moved_corners
 from .overlays import together
 from .polyhedra import refit
 from .sides import face_sides
 from .walls import tidy
+
+
+class _CrossingError(FabricationError):
+    """A face whose outline crosses itself; its id is the face's."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -85,12 +89,17 @@ def slanted_walls(
     inwards = {id_: sides[id_] * _unit(newell(placed[id_][0])) for id_ in shown}
     share = {"inside": 0.0, "middle": 0.5, "outside": 1.0}[side]
     thickness = {id_: model.faces[id_].thickness_mm if id_ in made else 0.0 for id_ in shown}
-    outer = moved_out(vertices, loops, inwards, {f: share * t for f, t in thickness.items()})
-    walls = [
-        wall
-        for group in _planes(shown, outer, inwards, thickness)
-        for wall in _walls(group, outer, inwards[group[0]], thickness[group[0]], share)
-    ]
+    corners = moved_corners(vertices, loops, inwards, {f: share * t for f, t in thickness.items()})
+    outer = {id_: tuple(np.vstack(ring) for ring in rings) for id_, rings in corners.items()}
+    try:
+        walls = [
+            wall
+            for group in _planes(shown, outer, inwards, thickness)
+            for wall in _walls(group, outer, inwards[group[0]], thickness[group[0]], share)
+        ]
+    except _CrossingError as error:
+        turned = _turned_round(model, error.ids[0], placed, corners) if share else ()
+        raise _moved_across(error, turned, share * thickness[error.ids[0]]) from None
     walls.sort(key=lambda wall: shown.index(wall.face_ids[0]))
     drawn = enclosed({id_: loops[id_] for id_ in shown}, vertices, sides)
     return _with_common_corners(walls), _partitions(model, partitions, loops, vertices), drawn
@@ -176,7 +185,9 @@ def _walls(
         rings = [(ring - origin) @ place[:3, :2] for ring in placed[id_]]
         polygons[id_] = Polygon(rings[0], rings[1:])
         if not polygons[id_].is_valid:
-            raise _crossing(id_, drawn=share == 0.0)
+            raise _CrossingError(
+                "the outline crosses itself", (id_,), "draw the face's edges in order"
+            )
     union = together(polygons.values())
     walls = []
     for part in shapely.get_parts(union):
@@ -189,15 +200,37 @@ def _walls(
     return walls
 
 
-def _crossing(face: str, *, drawn: bool) -> FabricationError:
-    if drawn:
-        return FabricationError(
-            "the outline crosses itself", (face,), "draw the face's edges in order"
-        )
+def _turned_round(
+    model: Model,
+    face: str,
+    drawn: Mapping[str, Sequence[Array]],
+    moved: Mapping[str, Sequence[Sequence[Array]]],
+) -> tuple[tuple[str, float], ...]:
+    """The edges that run the other way after a face was moved outwards, and how long they are."""
+    names = {frozenset(ends): id_ for id_, ends in model.edges.items()}
+    found = []
+    loops = (model.faces[face].loop, *model.faces[face].holes)
+    for loop, ring, chains in zip(loops, drawn[face], moved[face], strict=True):
+        for n in range(len(loop)):
+            m = (n + 1) % len(loop)
+            edge = ring[m] - ring[n]
+            if (chains[m][0] - chains[n][-1]) @ edge < 0:
+                id_ = names.get(frozenset((loop[n], loop[m])), f"{loop[n]}-{loop[m]}")
+                found.append((id_, float(np.linalg.norm(edge))))
+    return tuple(found)
+
+
+def _moved_across(
+    error: _CrossingError, turned: Sequence[tuple[str, float]], move_mm: float
+) -> FabricationError:
+    """Why a face's outline crosses itself: as drawn, or because its edges are too short."""
+    if not turned:
+        return error
+    shortest = min(length for _, length in turned)
     return FabricationError(
-        "the face has edges too short for material outside of it or in its middle: moved there, "
-        "its outline crosses itself",
-        (face,),
+        f"for material outside of the face or in its middle, its outline moves by {move_mm:.4g} mm "
+        f"and crosses itself: an edge of {shortest:.1f} mm would run the other way",
+        (*error.ids, *(id_ for id_, _ in turned)),
         "side inside, or thinner plates",
     )
 

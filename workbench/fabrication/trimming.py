@@ -18,6 +18,7 @@ from shapely.geometry import Polygon
 from ...solver.union_find import UnionFind
 from ...solver.values import Array
 from .errors import FabricationError
+from .joints import JointPlan
 from .overlays import without
 from .prisms import prism
 from .seams import Corner, Seams, edge_frame, find_corners
@@ -27,6 +28,8 @@ from .slanted_walls import SlantedWall
 OVERLAP_MM3 = 1e-6
 #: Plates may lie so far on the wrong side of the drawn faces.
 _TOUCH_MM, _LEAST_WRONG_MM3 = 1e-3, 1e-4
+#: A plate that takes less than this part of what another takes is not named beside it.
+_LEAST_TAKEN = 0.1
 
 
 def plate_body(wall: SlantedWall, outline: Polygon) -> manifold3d.Manifold:
@@ -149,7 +152,9 @@ def _behind(opening: SlantedWall, wall: SlantedWall) -> Array:
     return place
 
 
-def trimmed(walls: Sequence[SlantedWall], outlines: Sequence[Polygon]) -> list[Polygon]:
+def trimmed(
+    walls: Sequence[SlantedWall], outlines: Sequence[Polygon], plan: JointPlan
+) -> list[Polygon]:
     """The outlines without what overlaps a lower plate: the shadow of it, square to the sheet."""
     result = list(outlines)
     bodies = [plate_body(wall, outline) for wall, outline in zip(walls, result, strict=True)]
@@ -159,15 +164,33 @@ def trimmed(walls: Sequence[SlantedWall], outlines: Sequence[Polygon]) -> list[P
             if shared.volume() <= OVERLAP_MM3:
                 continue
             shadow = shadow_of(walls[high], shared)
-            if shadow.area > 0.5 * result[high].area:
+            share = shadow.area / max(result[high].area, OVERLAP_MM3)
+            if share > 0.5:
+                one, two = walls[low], walls[high]
+                ids = (one.face_ids[0], two.face_ids[0])
                 raise FabricationError(
-                    "the plates would lie in one another",
-                    (*walls[low].face_ids, *walls[high].face_ids),
+                    f"the plates would lie in one another: {ids[0]} takes {share:.0%} of "
+                    f"{ids[1]}, with {one.thickness_mm:g} and {two.thickness_mm:g} mm",
+                    (*ids, *plan.edges_between(ids)),
                     "thinner plates",
                 )
             result[high] = without(result[high], shadow)
             bodies[high] = plate_body(walls[high], result[high])
     return result
+
+
+def takers_of(
+    n: int, area: shapely.Geometry, walls: Sequence[SlantedWall], outlines: Sequence[Polygon]
+) -> list[int]:
+    """The one or two plates with most of the space where a part of another would be."""
+    place = prism(area, 0.0, walls[n].thickness_mm).transform(walls[n].world_from_wall[:3])
+    taken = {
+        w: (place ^ plate_body(wall, outlines[w])).volume()
+        for w, wall in enumerate(walls)
+        if w != n and not outlines[w].is_empty
+    }
+    most = sorted(taken, key=lambda w: -taken[w])[:2]
+    return [w for w in most if taken[w] > max(_LEAST_TAKEN * taken[most[0]], _LEAST_WRONG_MM3)]
 
 
 def without_pinholes(

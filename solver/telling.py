@@ -28,6 +28,7 @@ from .errors import SketchError
 from .faces import awaited_faces
 from .full import held_at_last
 from .graph import SketchGraph
+from .leaning import with_a_possible_lean
 from .lifting import UNSURE_FOCAL_SIGMA, Lifted
 from .placed import Placed, put_in_world
 from .profiles import said_of_profiles
@@ -86,7 +87,7 @@ def describe(
         extent = np.vstack([extent, *(c.center_mm for c in circles.values())])
     conflicts = unmet_annotations(residuals, size_of(extent))
     errors = None if open_.count else standard_errors(seen.full, told)
-    sigmas = np.zeros(0) if errors is None else errors.lengths
+    sigmas = np.zeros(0) if errors is None else with_a_possible_lean(seen, errors.lengths)
     if errors is not None and errors.log_focal > UNSURE_FOCAL_SIGMA:
         seen = replace(seen, focal_assumed=_is_expected(seen))
     unsure = bool(np.sqrt(np.mean(sigmas**2)) > UNSURE_SIZE_SIGMA) if len(sigmas) else False

@@ -91,13 +91,19 @@ def standard_errors(full: FullProblem, x: Pose) -> StandardErrors:
 
 
 def _of_the_drawing_alone(full: FullProblem, x: Pose, cofactor: float) -> float:
-    """The variance of the log focal length for unit noise, without what was expected of it."""
+    """The variance of the log focal length for unit noise, without what was expected of it.
+
+    At the focal length that the drawing alone would have: what was expected draws it nearer, where
+    the same error of its inverse is a smaller part of it.
+    """
     # d log f = -f d kappa
     variance = float(np.exp(2 * x.log_focal)) * cofactor
     if full.prior is None:
         return variance
-    left = 1 - variance * (DRAWING_SIGMA / full.prior.sigma) ** 2
-    return variance / left if left > 1e-9 else float("inf")
+    expected = variance * (DRAWING_SIGMA / full.prior.sigma) ** 2
+    left = 1 - expected
+    inverse = left - expected * (x.log_focal - full.prior.log_focal)
+    return variance * left / inverse**2 if min(left, inverse) > 1e-9 else float("inf")
 
 
 def _spread_on_constraints(full: FullProblem, x: Pose, A: Array, N: Array) -> tuple[Array, float]:

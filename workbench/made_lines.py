@@ -17,6 +17,8 @@ LINES = (
     "none",
     "{} degrees; fingers hold from 30 to 150 degrees",
     "{} mm clear of the corners; fingers need {} mm at least",
+    "{} and {} more: fingers of {} mm would not hold, they are {} mm wide or wider",
+    "{}: fingers of {} mm would not hold, they are {} mm wide or wider",
     "fingers would cut {} into pieces",
     "slots would be less than {} mm from a border of {}",
     "{}: the slot for {} ({}) is {} mm from a border, less than the plate's {} mm; it may break",

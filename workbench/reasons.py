@@ -74,6 +74,8 @@ REASONS = (
     "the surface is not closed: {}",
     "the wall of {} mm is thinner than the least wall of {} mm",
     "fingers cannot hold here: {}",
+    "fingers of {} mm cannot hold here",
+    "{} mm or wider",
     "tabs cannot hold here: {}",
     "no wall of {} mm can be made",
     "the sketch is not solved: {}",

@@ -1814,6 +1814,14 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>Zinken können hier nicht halten: {}</translation>
     </message>
     <message>
+        <source>fingers of {} mm cannot hold here</source>
+        <translation>Zinken von {} mm halten hier nicht</translation>
+    </message>
+    <message>
+        <source>{} mm or wider</source>
+        <translation>{} mm oder breiter</translation>
+    </message>
+    <message>
         <source>tabs cannot hold here: {}</source>
         <translation>Zapfen halten hier nicht: {}</translation>
     </message>
@@ -2380,6 +2388,14 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
     <message>
         <source>{} mm clear of the corners; fingers need {} mm at least</source>
         <translation>{} mm zwischen den Ecken; Zinken brauchen mindestens {} mm</translation>
+    </message>
+    <message>
+        <source>{} and {} more: fingers of {} mm would not hold, they are {} mm wide or wider</source>
+        <translation>{} und {} weitere: Zinken von {} mm würden nicht halten, sie sind {} mm breit oder breiter</translation>
+    </message>
+    <message>
+        <source>{}: fingers of {} mm would not hold, they are {} mm wide or wider</source>
+        <translation>{}: Zinken von {} mm würden nicht halten, sie sind {} mm breit oder breiter</translation>
     </message>
     <message>
         <source>fingers would cut {} into pieces</source>

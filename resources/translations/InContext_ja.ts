@@ -1814,6 +1814,14 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>ここではほぞが持ちません: {}</translation>
     </message>
     <message>
+        <source>fingers of {} mm cannot hold here</source>
+        <translation>{} mm のほぞはここでは持ちません</translation>
+    </message>
+    <message>
+        <source>{} mm or wider</source>
+        <translation>{} mm 以上</translation>
+    </message>
+    <message>
         <source>tabs cannot hold here: {}</source>
         <translation>ここではだぼが持ちません: {}</translation>
     </message>
@@ -2380,6 +2388,14 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
     <message>
         <source>{} mm clear of the corners; fingers need {} mm at least</source>
         <translation>角の間が {} mm。ほぞには少なくとも {} mm が必要です</translation>
+    </message>
+    <message>
+        <source>{} and {} more: fingers of {} mm would not hold, they are {} mm wide or wider</source>
+        <translation>{} ほか {} か所: {} mm のほぞでは持たないので、{} mm 以上にします</translation>
+    </message>
+    <message>
+        <source>{}: fingers of {} mm would not hold, they are {} mm wide or wider</source>
+        <translation>{}: {} mm のほぞでは持たないので、{} mm 以上にします</translation>
     </message>
     <message>
         <source>fingers would cut {} into pieces</source>

@@ -13,6 +13,7 @@ from incontext.workbench.fabrication import (
     joined_plates,
     make_plates,
 )
+from incontext.workbench.fabrication.fits import effects
 from incontext.workbench.fabrication.notes import notes_of
 
 
@@ -142,6 +143,9 @@ def test_a_slanted_partition_can_be_butted():
         (shapes.bookshelf, "left:shelf=tab_slot,owner=shelf", "shelf ends on left"),
         (shapes.divided_shelf, "shelf:divider=none", "where both plates pass"),
         (lambda: shapes.box(120, 80, 12), "front:left=finger", "6.0 mm clear of the corners"),
+        (shapes.box, "e1=finger,finger=4", "fingers of 4 mm cannot hold here .*4.5 mm or wider"),
+        (shapes.bookshelf, "left:shelf=auto,finger=2", "fingers of 2 mm cannot hold here"),
+        (slanted.leaning, "bottom:lean=tab_slot,finger=4.4", "4.5 mm or wider"),
     ],
 )
 def test_a_joint_that_cannot_be_is_refused_by_name(make, choice, words):
@@ -155,6 +159,17 @@ def test_short_edges_are_butted_and_it_is_said():
     assert len(notes) == 1
     assert "butt" in notes[0]
     assert "fingers need 13.5 mm at least" in notes[0]
+
+
+@pytest.mark.parametrize("make", [shapes.bookshelf, slanted.leaning])
+def test_fingers_that_would_not_hold_are_made_wider_and_it_is_said(make):
+    joined = joined_plates(make(), PlateSettings(finger_mm=2.0))
+    (note,) = [note for note in notes_of(joined) if "would not hold" in note]
+    assert f"and {len(joined.joints) - 1} more: fingers of 2 mm" in note
+    assert note.endswith("they are 4.5 mm wide or wider")
+    assert "finger at a corner: 4.5 mm wide" in effects(PlateSettings(finger_mm=2.0))[0]
+    narrow = PlateSettings(finger_mm=4.5)
+    assert not [note for note in notes_of(joined_plates(make(), narrow)) if "would" in note]
 
 
 def wedge(degrees):

@@ -203,6 +203,7 @@ def _bands(
             seam.theta_rad,
             high - low,
             least,
+            3 * least,
             _point(ends.mean(axis=0)),
         )
 

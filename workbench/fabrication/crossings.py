@@ -89,6 +89,7 @@ def cross(
         math.acos(min(1.0, cosine)),
         lap.length,
         0.0,
+        0.0,
         (x, y, z),
     )
     joint = plan.decide(meeting, lambda _: 1)

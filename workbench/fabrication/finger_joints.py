@@ -85,7 +85,8 @@ def _joint(
         tuple(id_ for id_, ends in edges.items() if _lies_on(run, walls, ends)),
         math.pi / 2,
         run.high_mm - run.low_mm,
-        least if run.kind == "L" else least + 2 * thickness,
+        least,
+        3 * least if run.kind == "L" else least + 2 * thickness,
         _middle(run, walls),
     )
     return plan.decide(
@@ -191,7 +192,7 @@ def _finger_pieces(run: Run, walls: Sequence[Wall], first: int, joint: Joint) ->
         return [Piece(piece.low_mm, piece.high_mm, -1, ())]
     second = run.two if first == run.one else run.one
     thickness = max(walls[first].thickness_mm, walls[second].thickness_mm)
-    least = joint.meeting.least_mm - (2 * thickness if run.kind == "T" else 0.0)
+    least = joint.meeting.least_mm
     borders = finger_borders(run, thickness, joint.finger_mm, least, joint.kind)
     pieces = []
     for n, (low, high) in enumerate(itertools.pairwise(borders)):

@@ -35,7 +35,8 @@ _SPARE_MM = 0.05
 
 def effects(settings: PlateSettings) -> tuple[str, ...]:
     """What the settings do to one finger and its notch, one line each."""
-    finger, play, kerf = settings.finger_mm, settings.play_mm, settings.kerf_mm
+    play, kerf = settings.play_mm, settings.kerf_mm
+    finger = _finger_mm(settings)
     return (
         f"finger at a corner: {finger - play / 2:g} mm wide, "
         f"its cut path {finger - play / 2 + kerf:g} mm",
@@ -46,6 +47,11 @@ def effects(settings: PlateSettings) -> tuple[str, ...]:
         f"its cut path {finger + play - kerf:g} x {settings.thickness_mm + play - kerf:g} mm",
         *cutting_effects(settings),
     )
+
+
+def _finger_mm(settings: PlateSettings) -> float:
+    """The width that is aimed at: no finger is made so narrow that it would not hold."""
+    return max(settings.finger_mm, least_finger_mm(settings.thickness_mm, settings.beam_mm))
 
 
 def cutting_effects(settings: PlateSettings) -> tuple[str, ...]:
@@ -83,11 +89,7 @@ def coupon(settings: PlateSettings) -> tuple[Plate, ...]:
         ``notches`` and ``tab``, with the sizes they have when finished.
     """
     thickness = settings.thickness_mm
-    width = max(
-        settings.finger_mm,
-        least_finger_mm(thickness, settings.beam_mm),
-        text_width_mm("+0.05", _TEXT_MM),
-    )
+    width = max(_finger_mm(settings), text_width_mm("+0.05", _TEXT_MM))
     step = 2 * width
     length = step * len(COUPON_STEPS_MM) + width
     slot, ground = _heights(settings)

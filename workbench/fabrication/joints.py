@@ -28,6 +28,7 @@ POSSIBLE = {
     "T": ("tab_slot", "butt", "none"),
     "X": ("half_lap", "tab_slot"),
 }
+_FINGERED = ("finger", "tab_slot")
 _FORMS = {"L": "both plates end", "T": "one plate ends on the other", "X": "both plates pass"}
 HOW_TO_SAY = "EDGE=KIND like e5=butt or f1:f2=finger,finger=8,play=0.1,owner=f1"
 
@@ -122,8 +123,9 @@ class Meeting:
         The sketch's edges there.
     theta_rad : float
         Interior dihedral angle.
-    length_mm, least_mm : float
-        Of what is clear of the corners; of the narrowest finger that holds.
+    length_mm, least_mm, room_mm : float
+        Of what is clear of the corners; of the narrowest finger that holds; of what is needed for
+        fingers at all.
     middle_mm : (x, y, z)
         About where it is, in the world once all is decided.
     """
@@ -135,6 +137,7 @@ class Meeting:
     theta_rad: float
     length_mm: float
     least_mm: float
+    room_mm: float
     middle_mm: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
     @property
@@ -146,6 +149,10 @@ class Meeting:
     def everything(self) -> tuple[str, ...]:
         """The edges' ids and the plates': for errors."""
         return (*self.edge_ids, self.one[0], self.two[0])
+
+    def is_too_narrow(self, finger_mm: float) -> bool:
+        """Whether fingers of a width would not hold here."""
+        return finger_mm < self.least_mm - 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -176,6 +183,12 @@ class Joint:
     def owner(self) -> str:
         """The face whose plate owns the ends."""
         return (self.meeting.two if self.swapped else self.meeting.one)[0]
+
+    @property
+    def widened(self) -> bool:
+        """Whether the wished fingers would not hold, so that they are made wider."""
+        cut = self.meeting.form != "X" and self.kind in _FINGERED
+        return cut and self.meeting.is_too_narrow(self.finger_mm)
 
     @property
     def words(self) -> str:
@@ -221,35 +234,34 @@ class JointPlan:
         FabricationError
             Where the chosen joint cannot be made.
         """
+        wish = self._wish(meeting)
+        finger = self.finger_mm if wish.finger_mm is None else wish.finger_mm
+        play = self.play_mm if wish.play_mm is None else wish.play_mm
+        kind, reason, swapped = _possible(wish.kind, meeting), "", _swapped(meeting, wish.owner)
+        if meeting.form != "X" and kind in _FINGERED:
+            reason = why_no_fingers(meeting, count(finger)) or self._butted.get(_sides(meeting), "")
+            if reason and wish.kind is not None:
+                raise FabricationError(
+                    f"fingers cannot hold here: {reason}", meeting.everything, "butt"
+                )
+            if not reason and wish.finger_mm is not None and meeting.is_too_narrow(finger):
+                raise FabricationError(
+                    f"fingers of {finger:g} mm cannot hold here",
+                    meeting.everything,
+                    f"{meeting.least_mm:g} mm or wider",
+                )
+        joint = Joint(meeting, "butt" if reason else kind, finger, play, swapped, reason)
+        self.joints.append(joint)
+        return joint
+
+    def _wish(self, meeting: Meeting) -> JointChoice:
+        """The last choice about a meeting; one that wants nothing where there is none."""
         wish = JointChoice("-")
         for choice in self.choices:
             if choice.concerns(meeting):
                 self._used.add(choice)
                 wish = choice
-        finger = self.finger_mm if wish.finger_mm is None else wish.finger_mm
-        play = self.play_mm if wish.play_mm is None else wish.play_mm
-        possible = POSSIBLE[meeting.form]
-        kind = wish.kind or possible[0]
-        if meeting.form == "T" and kind == "finger":
-            kind = "tab_slot"
-        if kind not in possible:
-            raise FabricationError(
-                f"no {kind.replace('_', ' ')} joint can be made where {_FORMS[meeting.form]}",
-                meeting.everything,
-                " or ".join(possible).replace("_", " "),
-            )
-        reason = ""
-        if meeting.form != "X" and kind in ("finger", "tab_slot"):
-            reason = why_no_fingers(meeting, count(finger)) or self._butted.get(_sides(meeting), "")
-        if reason:
-            if wish.kind is not None:
-                raise FabricationError(
-                    f"fingers cannot hold here: {reason}", meeting.everything, "butt"
-                )
-            kind = "butt"
-        joint = Joint(meeting, kind, finger, play, self._swapped(meeting, wish.owner), reason)
-        self.joints.append(joint)
-        return joint
+        return wish
 
     def butt_instead(self, face_ids: Sequence[str]) -> bool:
         """Begin again, with one finger joint fewer at a plate that fingers cut into pieces.
@@ -310,23 +322,6 @@ class JointPlan:
         ]
         return tuple(dict.fromkeys(id_ for ids in found for id_ in ids))
 
-    def _swapped(self, meeting: Meeting, owner: str | None) -> bool:
-        if owner is None or owner in meeting.one:
-            return False
-        if owner not in meeting.two:
-            raise SettingsError(
-                f"{owner} does not meet this edge",
-                meeting.name,
-                f"owner {meeting.one[0]} or {meeting.two[0]}",
-            )
-        if meeting.form == "T":
-            raise SettingsError(
-                f"{owner} ends on {meeting.one[0]}, which must own the ends",
-                meeting.name,
-                f"owner {meeting.one[0]}",
-            )
-        return True
-
     def check_used(self) -> None:
         """Refuse choices that concern no joint, by their names."""
         unused = [choice.where for choice in self.choices if choice not in self._used]
@@ -337,6 +332,39 @@ class JointPlan:
 
     def _names(self) -> list[str]:
         return list(dict.fromkeys(":".join(j.meeting.name) for j in self.joints))
+
+
+def _possible(kind: str | None, meeting: Meeting) -> str:
+    """The kind that is wanted, or the usual one."""
+    possible = POSSIBLE[meeting.form]
+    if kind is None or (meeting.form, kind) == ("T", "finger"):
+        return possible[0]
+    if kind not in possible:
+        raise FabricationError(
+            f"no {kind.replace('_', ' ')} joint can be made where {_FORMS[meeting.form]}",
+            meeting.everything,
+            " or ".join(possible).replace("_", " "),
+        )
+    return kind
+
+
+def _swapped(meeting: Meeting, owner: str | None) -> bool:
+    """Whether the meeting's second plate shall own the ends."""
+    if owner is None or owner in meeting.one:
+        return False
+    if owner not in meeting.two:
+        raise SettingsError(
+            f"{owner} does not meet this edge",
+            meeting.name,
+            f"owner {meeting.one[0]} or {meeting.two[0]}",
+        )
+    if meeting.form == "T":
+        raise SettingsError(
+            f"{owner} ends on {meeting.one[0]}, which must own the ends",
+            meeting.name,
+            f"owner {meeting.one[0]}",
+        )
+    return True
 
 
 def _sides(meeting: Meeting) -> tuple[tuple[str, ...], tuple[str, ...]]:
@@ -350,10 +378,9 @@ def why_no_fingers(meeting: Meeting, count: int) -> str:
         degrees = math.degrees(folded)
         return f"{degrees:.0f} degrees; fingers hold from 30 to 150 degrees"
     if count < 2:
-        least = meeting.least_mm * (3 if meeting.form == "L" else 1)
         return (
             f"{max(meeting.length_mm, 0.0):.1f} mm clear of the corners; "
-            f"fingers need {least:.1f} mm at least"
+            f"fingers need {meeting.room_mm:.1f} mm at least"
         )
     return ""
 

@@ -140,6 +140,7 @@ def _join(
                 math.asin(min(1.0, contact.sine)),
                 longest,
                 least,
+                least,
                 _world(walls[p], contact.start + sum(contact.span) / 2 * contact.along),
             ),
             lambda finger: 1 + len(wished(finger)),

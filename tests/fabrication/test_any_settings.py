@@ -144,7 +144,7 @@ def test_plates_are_lawful_or_refused_in_words(name, thickness, said):
         ({"kerf_mm": -1.0}, (), "the kerf is -1 mm"),
         ({"spacing_mm": -1.0}, (), "the spacing is -1 mm"),
         ({"thickness_mm": 0.0}, (), "the thickness is 0 mm"),
-        ({"joints": (JointChoice("e3", "half_lap"),)}, ("e3",), "no half lap"),
+        ({"joints": (JointChoice("e3", "half_lap"),)}, ("e3", "bottom", "back"), "no half lap"),
         ({"joints": (JointChoice("e3", "finger", 2.0, None, "f9"),)}, ("e3",), "f9 does not meet"),
         ({"joints": (JointChoice("e77", "butt"),)}, ("e77",), "no two plates meet there"),
     ],

@@ -23,7 +23,7 @@ from functools import partial
 
 from .annotations import Angle, Diameter, Length, targets_of
 from .candidates import Candidate, drawing_rms, drawn_diagonal, lift_near, reading_of
-from .closer_look import BARELY, hints
+from .closer_look import BARELY, DOUBTFUL_RMS, Hint, hints
 from .diagnosis import (
     MAX_TRIED,
     Clash,
@@ -111,12 +111,19 @@ def blame_by_relief(graph: SketchGraph, lifted: Candidate, trials: Trials) -> Bl
         expected[hint.id] = whole.misfit - hint.reading.misfit
         found = trials.best if trials.explained(whole) else None
         if found is None or expected[hint.id] > RIVAL * expected.get(found[0], 0.0):
-            trials.near(hint.id, known)
+            _try(hint, whole, known, trials)
     trials.settle_the_best()
     if is_far(whole) and trials.explained(whole):
         # From here the shape without a rival may be out of reach.
         trials.lost_ones_afresh(whole)
     return _verdict(graph, lifted.problem, whole, trials)
+
+
+def _try(hint: Hint, whole: Reading, known: KnownShape, trials: Trials) -> None:
+    """From nearby, or from nothing where that is far away or does not explain what it should."""
+    near = None if whole.rms > DOUBTFUL_RMS else trials.near(hint.id, known)
+    if is_far(whole) and (near is None or (hint.reading.explains and not near.explains)):
+        trials.anew(hint.id)
 
 
 def find_blame(

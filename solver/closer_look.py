@@ -11,9 +11,8 @@ hint
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
-
-import numpy as np
 
 from .candidates import Candidate, drawing_rms, drawn_diagonal, reading_of
 from .diagnosis import (
@@ -52,11 +51,10 @@ class Hint:
     reading: Reading
 
 
-def is_doubtful(lifted: Candidate) -> bool:
-    """Whether a first view misses the drawing so far that some annotation may be false."""
+def first_rms(lifted: Candidate) -> float:
+    """How far a first view stays from the drawing, with all that was expected (RMS, parts)."""
     n = 2 * lifted.full.n_vertices + lifted.problem.circles.supports.size
-    rms = np.sqrt(2 * lifted.minimum.cost / max(1, n)) / drawn_diagonal(lifted.problem)
-    return bool(rms > DOUBTFUL_RMS)
+    return math.sqrt(2 * lifted.minimum.cost / max(1, n)) / drawn_diagonal(lifted.problem)
 
 
 def needs_a_closer_look(graph: SketchGraph, lifted: Candidate, *, dragging: bool = False) -> bool:

@@ -23,7 +23,7 @@ from .candidates import (
     is_settled,
     reading_of,
 )
-from .closer_look import needs_a_closer_look
+from .closer_look import CLOSER_LOOK_RMS, DOUBTFUL_RMS, needs_a_closer_look
 from .diagnosis import (
     Reading,
     disagree,
@@ -60,13 +60,13 @@ def lift_or_blame(
     """The shape, or where an annotation contradicts the drawing grossly the shape without it."""
     with effort.at_most(GUESSING):
         lifted = lift_as_guessed(core, structure, effort)
-    lifted = lifted or lift(core, structure, effort, wary=True)
+    lifted = lifted or lift(core, structure, effort, doubt_rms=DOUBTFUL_RMS)
     if lifted is None or effort.stopped:
         return lifted, None
     rest = _Rest(core, effort)
     trials = Trials(core, effort, rest.lifted)
     relieved, leaning = _at_first_sight(core, lifted, trials), None
-    if relieved is None or not relieved.clear:
+    if relieved is None or relieved.held or not relieved.clear:
         lifted, leaning = _with_lean(core, structure, lifted, effort)
     if effort.stopped or _is_fine(core, lifted):
         return leaning or lifted, None
@@ -237,12 +237,18 @@ def lift_without_culprit(core: SketchGraph, effort: Effort) -> tuple[Lifted | No
     """The shape without the culprit, where annotations cannot all hold; none where it is lost."""
     effort.doing("looking for annotations that disagree")
     rest = _Rest(core, effort)
+    doubt_rms = DOUBTFUL_RMS
 
     def attempt(id_: str) -> Reading | None:
-        lifted = None if effort.stopped else rest.lifted(id_)
+        nonlocal doubt_rms
+        lifted = None if effort.stopped else rest.lifted(id_, doubt_rms=doubt_rms)
         if lifted is None or lifted.doubtful:
             return None
-        return reading_of(without(core, id_), lifted)
+        reading = reading_of(without(core, id_), lifted)
+        if reading.explains:
+            # Beside one that explains the drawing a careless look at others will do.
+            doubt_rms = CLOSER_LOOK_RMS
+        return reading
 
     clash = find_clash(core, effort)
     together = None if clash.culprits else _without_several(core, rest)
@@ -286,13 +292,13 @@ class _Rest:
     effort: Effort
     known: dict[tuple[str, ...], Lifted | None] = field(default_factory=dict)
 
-    def lifted(self, *ids: str) -> Lifted | None:
-        """None where the others clash as well, or are too many."""
+    def lifted(self, *ids: str, doubt_rms: float = DOUBTFUL_RMS) -> Lifted | None:
+        """None where the others clash as well, or are too many; doubtful where that is missed."""
         if ids not in self.known:
-            self.known[ids] = self._lifted(without(self.core, *ids))
+            self.known[ids] = self._lifted(without(self.core, *ids), doubt_rms)
         return self.known[ids]
 
-    def _lifted(self, rest: SketchGraph) -> Lifted | None:
+    def _lifted(self, rest: SketchGraph, doubt_rms: float) -> Lifted | None:
         structure = build_structure(rest)
         if disagree(rest) or structure.n_coordinates > MAX_COORDINATES:
             return None
@@ -300,4 +306,4 @@ class _Rest:
         if conditions * structure.n_coordinates > MAX_NUMBERS:
             return None
         self.effort.weigh(structure.n_coordinates, conditions)
-        return lift(rest, structure, self.effort, wary=True)
+        return lift(rest, structure, self.effort, doubt_rms=doubt_rms)

@@ -10,6 +10,7 @@ float
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from itertools import islice
@@ -17,7 +18,7 @@ from itertools import islice
 import numpy as np
 
 from .candidates import drawing_rms
-from .closer_look import BARELY, SMALL_LOOK_RMS, is_doubtful
+from .closer_look import BARELY, SMALL_LOOK_RMS, first_rms
 from .diagnosis import focal_sigma
 from .full import EXIF_LOG_SIGMA, FocalPrior, FullProblem, Pose
 from .graph import SketchGraph
@@ -115,15 +116,20 @@ class Lifted:
 
 
 def lift(
-    graph: SketchGraph, structure: Structure, stop: Stop | None, *, wary: bool = False
+    graph: SketchGraph,
+    structure: Structure,
+    stop: Stop | None,
+    *,
+    doubt_rms: float = math.inf,
 ) -> Lifted | None:
     """Both steps; where the drawing does not tell the focal length, a usual one is assumed.
 
-    A wary one ends where the first view misses the drawing by far, and says that it is doubtful.
+    It ends where the first view misses the drawing by more than may be doubted (RMS, parts of its
+    diagonal), and says that it is doubtful.
     """
     problem = build_problem(graph, structure)
     known = problem.log_focal_prior
-    best = _best(graph, problem, told_focal(problem), stop, wary=wary)
+    best = _best(graph, problem, told_focal(problem), stop, doubt_rms=doubt_rms)
     if known is not None or (best is not None and best.doubtful):
         return best
     if best is None or (not best.told and is_unsure_of_focal(best.full, best.minimum.x)):
@@ -253,7 +259,7 @@ def _best(
     prior: FocalPrior | None,
     stop: Stop | None,
     *,
-    wary: bool = False,
+    doubt_rms: float = math.inf,
 ) -> Lifted | None:
     """The reading seen from above that fits the drawing best.
 
@@ -310,10 +316,10 @@ def _best(
         if len(tried) == 1 and _is_told(graph, tried[0]):
             tried = [replace(tried[0], told=True)]
             break
-        if wary and tried:
-            if all(is_doubtful(t) for t in tried):
+        if doubt_rms < math.inf and tried:
+            if all(first_rms(t) > doubt_rms for t in tried):
                 return replace(_preferred(graph, tried)[0], doubtful=True)
-            wary = False
+            doubt_rms = math.inf
         if tried and (_is_exact(tried[-1]) or (stop is not None and stop())):
             break
         if len(tried) > AGREEING and all(t.minimum.cost == np.inf for t in tried[-AGREEING:]):

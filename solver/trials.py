@@ -83,6 +83,10 @@ class Trials:
             return None
         return self._seen(id_, lift_near(without(self.graph, id_), known, self.stop))
 
+    def anew(self, id_: str) -> Reading | None:
+        """Begun from nothing."""
+        return None if self.stop() else self._seen(id_, self.afresh(id_))
+
     def settle_the_best(self) -> None:
         """Brought to its end, as long as that gets it on."""
         if self.best is None:
@@ -110,7 +114,7 @@ class Trials:
             reading = self.readings.get(id_)
             if self.stop() or (reading is not None and self._tells(reading, whole)):
                 continue
-            again = self._seen(id_, self.afresh(id_))
+            again = self.anew(id_)
             if not explained and again is not None and self._tells(again, whole):
                 break
 

@@ -23,6 +23,7 @@ import numpy as np
 
 from .annotations import Angle, Annotation, Diameter, Length
 from .candidates import HELD, is_settled
+from .closer_look import DOUBTFUL_RMS
 from .diagnosis import freedoms, pose_in, without
 from .elastic import gentlest_step
 from .full import FullProblem, Pose
@@ -78,7 +79,9 @@ def drawn_shape(graph: SketchGraph, wishes: tuple[str, ...], stop: Stop) -> Lift
     """The shape that the drawing shows without some sizes; None where that is in doubt."""
     plain = without(graph, *wishes)
     structure = build_structure(plain)
-    lifted = None if structure.contradiction else lift(plain, structure, stop, wary=True)
+    lifted = (
+        None if structure.contradiction else lift(plain, structure, stop, doubt_rms=DOUBTFUL_RMS)
+    )
     if lifted is None or lifted.doubtful or not is_settled(lifted) or not lifted.above:
         return None
     names = [*plain.vertices, *plain.circles]

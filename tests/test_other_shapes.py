@@ -8,6 +8,7 @@ from random_objects import RANDOM, drawn, upright
 from scenes import Hand, Views, photograph, prism
 
 from incontext.solver import solve
+from incontext.solver.closer_look import DOUBTFUL_RMS
 from incontext.solver.lifting import lift
 from incontext.solver.solution import Status
 from incontext.solver.structure import build_structure
@@ -111,6 +112,6 @@ def test_a_part_that_floats_is_looked_at_in_all_its_places_before_a_sketch_is_do
     # The first place often shrinks the box to a point.
     for run in range(4):
         photo = drawn("box_with_pyramid", run, hand=LEANING, focal_known=True)
-        lifted = lift(photo.graph, build_structure(photo.graph), None, wary=True)
+        lifted = lift(photo.graph, build_structure(photo.graph), None, doubt_rms=DOUBTFUL_RMS)
         assert lifted is not None
         assert not lifted.doubtful

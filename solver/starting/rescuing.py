@@ -101,7 +101,7 @@ def _near_guesses(graph: SketchGraph, problem: Problem, stop: Stop) -> Iterator[
         structure = build_structure(guess)
         if structure.n_coordinates > problem.structure.n_coordinates:
             continue
-        lifted = lift(guess, structure, stop, wary=True)
+        lifted = lift(guess, structure, stop, doubt_rms=DOUBTFUL_RMS)
         if lifted is not None and not lifted.doubtful and is_settled(lifted):
             yield _guess_taken_back(graph, guess, lifted, stop)
 

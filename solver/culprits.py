@@ -78,8 +78,9 @@ def lift_or_blame(
         return leaning, None
     if blamed is not None and blamed.is_barely_checked:
         other = _found_after_all(core, structure, lifted, effort)
-        if other is not None:
-            return other, None
+        # A guess is no minimum: that the drawing can be followed better without is no evidence.
+        if other is not None or lifted.as_guessed:
+            return other or lifted, None
     wished = _as_wished(core, structure, lifted, blamed, effort)
     if wished is not None:
         return wished

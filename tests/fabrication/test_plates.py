@@ -12,6 +12,7 @@ from fabrication.bodies import body, overlaps, union
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from incontext.solver.model import Model, Turned
 from incontext.workbench.fabrication import (
     FabricationError,
     Plate,
@@ -246,6 +247,12 @@ def test_a_crossed_outline_is_named():
     with pytest.raises(FabricationError) as caught:
         make_plates(shapes.model({"f1": crossed}))
     assert caught.value.ids == ("f1",)
+
+
+def test_a_turned_body_has_no_plates():
+    with pytest.raises(FabricationError, match="no flat face to make a plate of") as caught:
+        make_plates(Model({}, {}, turned={"r1": Turned(np.zeros(2), np.array([(9.0, 0), (9, 5)]))}))
+    assert caught.value.ids == ("r1",)
 
 
 def test_nothing_included():

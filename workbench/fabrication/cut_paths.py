@@ -20,6 +20,7 @@ from shapely.geometry import Polygon
 
 from ...solver.values import Array
 from .narrow_places import TooNarrowError, narrow_place, room_mm
+from .overlays import sides_mm
 from .plates import Plate, from_least
 from .relief import relieved
 
@@ -108,7 +109,7 @@ def _path_or_none(ring: Array, kerf: float, *, hole: bool) -> Array | None:
 def _too_narrow(plate: Plate, ring: Array, kerf: float, *, hole: bool) -> TooNarrowError:
     """Why a ring has no path, and where."""
     if hole:
-        width, height = np.ptp(ring, axis=0).tolist()
+        height, width = sides_mm(Polygon(ring))
         what = f"a hole of {width:.4g} x {height:.4g} mm is narrower than the kerf of {kerf:g} mm"
         spot = np.array(Polygon(ring).representative_point().coords[0])
         return TooNarrowError(what, plate, spot, "a smaller kerf, or wider fingers")

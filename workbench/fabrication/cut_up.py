@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import numpy as np
 import shapely
 from shapely.geometry import Polygon
 
 from .errors import FabricationError
+from .overlays import sides_mm
 
 
 class CutUpError(FabricationError):
@@ -58,7 +58,7 @@ def cut_up(
     parts : sequence of Polygon
         What is left of it, the largest first.
     others : sequence of str
-        Other plates that lie where `missing` is.
+        Other plates that lie in `missing`.
     thickness_mm : float
         Of the thickest of them all.
     """
@@ -69,9 +69,8 @@ def cut_up(
             f"plates of {thickness_mm:g} mm cut {name} into {len(parts)} pieces {gap:.1f} mm apart"
         )
     else:
-        around = np.array(whole.minimum_rotated_rectangle.exterior.coords)
-        narrow = float(np.linalg.norm(np.diff(around, axis=0), axis=1).min())
-        what = f"plates of {thickness_mm:g} mm leave nothing of {name}, {narrow:.1f} mm wide"
+        wide = sides_mm(whole)[0]
+        what = f"plates of {thickness_mm:g} mm leave nothing of {name}, {wide:.1f} mm wide"
     return CutUpError(what, face_ids, others)
 
 

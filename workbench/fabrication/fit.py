@@ -28,6 +28,7 @@ import shapely
 from shapely.geometry import MultiPoint, Polygon
 
 from ...solver.values import Array
+from .overlays import sides_mm
 from .parts_in_space import Part, corners, in_words, whole
 from .plates import Plate
 from .prisms import prism
@@ -244,8 +245,7 @@ def _into_plate(plate: Plate, thing: manifold3d.Manifold, shared: manifold3d.Man
     rectangle = shapely.minimum_rotated_rectangle(MultiPoint(flat))
     if rectangle.geom_type != "Polygon":
         return 0.0
-    a, b, c = np.array(rectangle.exterior.coords)[:3]
-    return float(min(out, np.linalg.norm(b - a), np.linalg.norm(c - b)))
+    return float(min(out, sides_mm(rectangle)[0]))
 
 
 def _width(points: Array) -> float:

@@ -44,7 +44,7 @@ def disjoint(model: Model) -> Model:
         The same one where no face is within another. Otherwise all loops have the vertices that
         lie on their edges, so that neighbours still share whole edges.
     """
-    pairs = list(_overlapping_boxes(model.faces))
+    pairs = list(_overlapping_boxes(model.faces)) if model.faces else []
     if not pairs and not any(face.holes for face in model.faces.values()):
         return model
     faces = _with_vertices_on_edges(model)

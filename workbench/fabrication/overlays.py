@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+import numpy as np
 import shapely
 from shapely.geometry import MultiPolygon, Polygon
 
@@ -42,3 +43,10 @@ def _areas(mixed: shapely.Geometry) -> Polygon:
         return mixed
     parts = [part for part in shapely.get_parts(mixed) if part.geom_type == "Polygon"]
     return parts[0] if len(parts) == 1 else MultiPolygon(parts)
+
+
+def sides_mm(polygon: Polygon) -> tuple[float, float]:
+    """The shorter and the longer side of the narrowest box around a polygon."""
+    around = shapely.get_coordinates(shapely.minimum_rotated_rectangle(polygon))
+    short, long = sorted(np.linalg.norm(np.diff(around[:3], axis=0), axis=1).tolist())
+    return short, long

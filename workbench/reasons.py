@@ -61,6 +61,7 @@ REASONS = (
     "plates of {} mm cut {} into {} pieces {} mm apart",
     "plates of {} mm leave nothing of {}, {} mm wide",
     "thinner plates, or more room between these faces",
+    "another joint at {}, or thinner plates",
     "{} plates meet in one edge, and joints are of two",
     "these faces are not flat: corners lie up to {} mm off",
     "a notch or hole has no room for a cutter of {} mm: one of {} mm just gets in",

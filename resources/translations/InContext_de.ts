@@ -2070,6 +2070,10 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>Platten von {} mm lassen nichts übrig von {}, {} mm breit</translation>
     </message>
     <message>
+        <source>another joint at {}, or thinner plates</source>
+        <translation>eine andere Verbindung bei {}, oder dünnere Platten</translation>
+    </message>
+    <message>
         <source>thinner plates, or more room between these faces</source>
         <translation>dünnere Platten, oder mehr Platz zwischen diesen Flächen</translation>
     </message>

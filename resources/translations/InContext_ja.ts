@@ -2070,6 +2070,10 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>厚さ {} mm の板では {} は何も残りません。幅は {} mm です</translation>
     </message>
     <message>
+        <source>another joint at {}, or thinner plates</source>
+        <translation>{} を別の継手にするか、板を薄くする</translation>
+    </message>
+    <message>
         <source>thinner plates, or more room between these faces</source>
         <translation>板を薄くするか、これらの面の間隔を広げる</translation>
     </message>

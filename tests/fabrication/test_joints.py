@@ -142,6 +142,7 @@ def test_a_slanted_partition_can_be_butted():
         (shapes.box, "front:left=finger,owner=top", "top does not meet this edge"),
         (shapes.bookshelf, "left:shelf=tab_slot,owner=shelf", "shelf ends on left"),
         (shapes.divided_shelf, "shelf:divider=none", "where both plates pass"),
+        (slanted.crossed, "d1:d2=tab_slot", "into 2 pieces .*; try: another joint at d1:d2, or"),
         (lambda: shapes.box(120, 80, 12), "front:left=finger", "6.0 mm clear of the corners"),
         (shapes.box, "e1=finger,finger=4", "fingers of 4 mm cannot hold here .*4.5 mm or wider"),
         (shapes.bookshelf, "left:shelf=auto,finger=2", "fingers of 2 mm cannot hold here"),

@@ -98,9 +98,9 @@ def band_outlines(
         try:
             return _outlines(model, settings, plan)
         except CutUpError as error:
-            edges = plan.edges_between((error.face_ids[0], *error.others))
+            reasoned = error.blaming(plan)
             if not plan.butt_instead(error.face_ids):
-                raise error.at(edges) from None
+                raise reasoned from None
 
 
 def _outlines(

@@ -8,6 +8,7 @@ import shapely
 from shapely.geometry import Polygon
 
 from .errors import FabricationError
+from .joints import JointPlan
 from .overlays import sides_mm
 
 
@@ -23,6 +24,8 @@ class CutUpError(FabricationError):
         The plates that do it.
     edge_ids : sequence of str
         The edges between them all.
+    chosen : sequence of str
+        Where the person chose joints of them.
     """
 
     def __init__(
@@ -31,14 +34,19 @@ class CutUpError(FabricationError):
         face_ids: tuple[str, ...],
         others: Sequence[str] = (),
         edge_ids: Sequence[str] = (),
+        chosen: Sequence[str] = (),
     ) -> None:
-        self.what_only, self.face_ids, self.others = what, face_ids, tuple(others)
+        self.face_ids, self.others = face_ids, tuple(others)
         remedy = "thinner plates, or more room between these faces"
+        if chosen:
+            remedy = f"another joint at {', '.join(chosen)}, or thinner plates"
         super().__init__(what, (*face_ids[:1], *others, *edge_ids), remedy)
 
-    def at(self, edge_ids: Sequence[str]) -> CutUpError:
-        """The same with the edges where it happens."""
-        return CutUpError(self.what_only, self.face_ids, self.others, edge_ids)
+    def blaming(self, plan: JointPlan) -> CutUpError:
+        """The same with the edges where it happens, and where the person chose joints there."""
+        plates = (self.face_ids[0], *self.others)
+        edges, chosen = plan.edges_between(plates), plan.chosen_between(plates)
+        return CutUpError(self.what, self.face_ids, self.others, edges, chosen)
 
 
 def cut_up(

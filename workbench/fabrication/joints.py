@@ -277,13 +277,12 @@ class JointPlan:
             False where no finger joint is left that the person did not choose; then nothing
             changes.
         """
-        chosen = [choice for choice in self.choices if choice.kind is not None]
         able = [
             joint.meeting
             for joint in self.joints
             if joint.kind == "finger"
             and {*face_ids} & {*joint.meeting.one, *joint.meeting.two}
-            and not any(choice.concerns(joint.meeting) for choice in chosen)
+            and not self._chosen(joint.meeting)
         ]
         if not able:
             return False
@@ -306,7 +305,7 @@ class JointPlan:
         FabricationError
             Where the person chose tabs there.
         """
-        if any(c.kind is not None and c.concerns(joint.meeting) for c in self.choices):
+        if self._chosen(joint.meeting):
             raise FabricationError(
                 f"tabs cannot hold here: {reason}", joint.meeting.everything, "butt"
             )
@@ -314,13 +313,21 @@ class JointPlan:
 
     def edges_between(self, face_ids: Collection[str]) -> tuple[str, ...]:
         """The sketch's edges in which any two of some plates are joined; one's with any other."""
+        found = [id_ for meeting in self._between(face_ids) for id_ in meeting.edge_ids]
+        return tuple(dict.fromkeys(found))
+
+    def chosen_between(self, face_ids: Collection[str]) -> tuple[str, ...]:
+        """Where the person chose a joint of any two of some plates, as they said it."""
+        found = [c.where for m in self._between(face_ids) for c in self._chosen(m)]
+        return tuple(dict.fromkeys(found))
+
+    def _between(self, face_ids: Collection[str]) -> list[Meeting]:
         known, enough = {*face_ids}, min(2, len(face_ids))
-        found = [
-            joint.meeting.edge_ids
-            for joint in self.joints
-            if len(known & {joint.meeting.one[0], joint.meeting.two[0]}) == enough
-        ]
-        return tuple(dict.fromkeys(id_ for ids in found for id_ in ids))
+        meetings = [joint.meeting for joint in self.joints]
+        return [m for m in meetings if len(known & {m.one[0], m.two[0]}) == enough]
+
+    def _chosen(self, meeting: Meeting) -> list[JointChoice]:
+        return [c for c in self.choices if c.kind is not None and c.concerns(meeting)]
 
     def check_used(self) -> None:
         """Refuse choices that concern no joint, by their names."""

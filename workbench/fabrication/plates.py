@@ -143,8 +143,7 @@ def joined_plates(model: Model, settings: PlateSettings = _DEFAULTS) -> Joined:
         try:
             outlines, empty, pieces = cut_outlines(walls, pieces)
         except CutUpError as error:
-            edges = plan.edges_between((error.face_ids[0], *error.others))
-            raise error.at(edges) from None
+            raise error.blaming(plan) from None
         for joint, reason in lost_tabs(plan.joints, walls, pieces):
             plan.butt_after_all(joint, reason)
         plates = tuple(

@@ -180,3 +180,23 @@ def test_a_clash_is_smallest(make):
     assert clash.culprits == (PLANTED,)
     assert not agree()
     assert all(agree(id_) for id_ in clash.ids)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_of_two_clashes_one_is_told_wholly_and_nothing_else(seed):
+    # Nobody's absence makes the rest agree, and what was said last need not be in either.
+    rng = np.random.default_rng(seed)
+    graph = photograph(box(), rng).graph
+    said = {"a": Parallel(("e0", "e1")), "b": Parallel(("e4", "e8")), **graph.annotations}
+    items = list(said.items())
+    rng.shuffle(items)
+    clash = find_clash(replace(graph, annotations=dict(items)))
+
+    def agree(*left_out: str) -> bool:
+        kept = {id_: said[id_] for id_ in clash.ids if id_ not in left_out}
+        return not build_structure(graph, kept).contradiction
+
+    assert clash.culprits == ()
+    assert {"a", "b"} & set(clash.ids)
+    assert not agree()
+    assert all(agree(id_) for id_ in clash.ids)

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from random_objects import OBJECTS, gable, upright_prism
+from random_objects import OBJECTS, gable, hip_roof, profile, turned_boxes, upright_prism
 from scenes import box, photograph
 
 from incontext.solver import solve
@@ -18,6 +18,7 @@ from incontext.solver.effort import Effort
 from incontext.solver.lifting import lift
 from incontext.solver.solution import Status
 from incontext.solver.structure import build_structure
+from incontext.solver.synthetic.planting import KINDS, PLANTED, planted
 
 
 def saying_some(shape_of, seed, *, noise=0.0):
@@ -58,6 +59,35 @@ def test_a_descent_that_is_still_getting_on_is_brought_to_its_end():
     false = EqualLength(("e5", "e21"))
     solution = solve(replace(graph, annotations={**graph.annotations, "false": false}))
     assert solution.report.conflicts == ("false",)
+    assert "without it by 0 px" in solution.message
+
+
+#: Where no shape without what is false is found nearby; where another search had tried it; where
+#: first order cannot tell it from chance; and where somebody else's absence explains as much.
+HARD = [
+    (upright_prism, 2081, 0.0),
+    (turned_boxes, 2158, 0.002),
+    (profile, 7314, 0.005),
+    (hip_roof, 7245, 0.002),
+]
+
+
+@pytest.mark.parametrize(("shape_of", "seed", "noise"), HARD)
+def test_whom_first_order_names_is_tried_from_nothing_too(shape_of, seed, noise):
+    rng = np.random.default_rng([seed, 99])
+    photo = photograph(shape_of(rng), rng, noise=noise)
+    kinds = list(KINDS)
+    rng.shuffle(kinds)
+    graph = next(g for kind in kinds if (g := planted(photo, rng, kind)) is not None)
+    assert PLANTED in solve(graph).report.conflicts
+
+
+def test_half_a_pixel_is_enough_where_nothing_is_missed_without():
+    rng = np.random.default_rng([2117, 99])
+    graph = photograph(hip_roof(rng), rng).graph
+    false = RightAngle("v6", ("e7", "e15"))
+    solution = solve(replace(graph, annotations={**graph.annotations, "false": false}))
+    assert "false" in solution.report.conflicts
     assert "without it by 0 px" in solution.message
 
 

@@ -195,11 +195,12 @@ def _blame(
         f"with it the drawing is missed by {_few_digits(whole.rms * px)} px, "
         f"without it by {_few_digits(best.rms * px)} px"
     )
+    remedy = f"Correct {_or(ids)}, or take it away."
     wish = isinstance(graph.annotations[ids[0]], Length | Diameter | Angle)
     if whole.converged and (wish or whole.rms < GROSS_RMS):
         return Blame(
             ids,
-            f"Solved, but {_or(ids)} contradicts the drawing: {missed}.",
+            f"Solved, but {_or(ids)} contradicts the drawing: {missed}. {remedy}",
             True,
             best=best,
             explains=explains,
@@ -207,7 +208,7 @@ def _blame(
         )
     return Blame(
         ids,
-        f"{_or(ids)} contradicts the rest: {missed}. Solved without {ids[0]}.",
+        f"{_or(ids)} contradicts the rest: {missed}. Solved without {ids[0]}. {remedy}",
         False,
         best=best,
         explains=explains,

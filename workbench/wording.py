@@ -50,6 +50,7 @@ SENTENCES = (
     "Solved, but {} contradicts the drawing: with it the drawing is missed by {} px, "
     "without it by {} px.",
     "Solved without {}.",
+    "Correct {}, or take it away.",
     "The drawing and the annotations are too far apart: check the annotations.",
     "No shape was found in which all annotations hold: mark more right angles, parallels or "
     "ground vertices, or check {}.",

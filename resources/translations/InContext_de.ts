@@ -1268,6 +1268,10 @@
         <translation>Gelöst ohne {}.</translation>
     </message>
     <message>
+        <source>Correct {}, or take it away.</source>
+        <translation>Bitte {} berichtigen oder wegnehmen.</translation>
+    </message>
+    <message>
         <source>Solved, but a second shape, with near and far exchanged, fits as well: mark what stands on the ground, or ask for the twin.</source>
         <translation>Gelöst, aber eine zweite Form, nah und fern vertauscht, passt ebenso gut: bitte markieren, was auf dem Boden steht, oder den Zwilling verlangen.</translation>
     </message>

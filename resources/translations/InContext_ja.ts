@@ -1268,6 +1268,10 @@
         <translation>{} なしで解きました。</translation>
     </message>
     <message>
+        <source>Correct {}, or take it away.</source>
+        <translation>{} を直すか、取り除いてください。</translation>
+    </message>
+    <message>
         <source>Solved, but a second shape, with near and far exchanged, fits as well: mark what stands on the ground, or ask for the twin.</source>
         <translation>解けましたが、遠近を入れ替えた別の形も同じくらい合います。地面にある点を指定するか、もう一方の形を求めてください。</translation>
     </message>

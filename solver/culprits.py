@@ -1,4 +1,10 @@
-"""The shape that all annotations and the drawing allow, or who is to blame that there is none."""
+"""The shape that all annotations and the drawing allow, or who is to blame that there is none.
+
+Two questions, the first asked of every sketch: whether annotations clash whatever the drawing
+(`lift_without_culprit`), and else whether the drawing speaks against one (`lift_or_blame`). That is
+believed in this order: all hold and the drawing is followed; a hand that leans explains the rest;
+a size is a wish; one annotation is false; the search went astray.
+"""
 
 from __future__ import annotations
 

@@ -158,7 +158,9 @@ def _minimise(
         if _off(objective, held) < HELD:
             x = held
             break
-        reached = _descend(objective, x, _Phase(rho, 6, 1e-4, False), stop, been)
+        # Once nearly held they mostly can be held; where they cannot, the other weights decide.
+        nearly = NEARLY_HELD if rho == penalties[0] else 0.0
+        reached = _descend(objective, x, _Phase(rho, 6, 1e-4, False, nearly=nearly), stop, been)
         x = reached.x
         iterations += reached.iterations
         if reached.cost == np.inf:
@@ -175,7 +177,7 @@ def _off(objective: Objective[X], x: X) -> float:
 
 @dataclass(frozen=True, slots=True)
 class _Phase:
-    """One stretch of the descent.
+    """One stretch of the descent; it ends, too, where constraints are off by less than `nearly`.
 
     In the last phase every point is put back onto h = 0 and judged by |r|^2 alone: judged by the
     penalty, long steps along curved constraints would be refused (the Maratos effect).
@@ -187,6 +189,7 @@ class _Phase:
     last: bool
     damping: float = FIRST_DAMPING
     gained: float = 0.0
+    nearly: float = 0.0
 
     @property
     def judged_by(self) -> float:
@@ -224,6 +227,8 @@ def _descend(
             will_gain, before = gain * min(1.0, gain / max(before, 1e-300)), gain
             if size < 1e-12 or will_gain <= phase.enough * cost:
                 return Minimum(x, iteration + 1, True, cost, mu, gain)
+            if phase.nearly and _off(objective, x) < phase.nearly:
+                return Minimum(x, iteration + 1, False, cost, mu, gain)
         else:
             if size < 1e-9:
                 return Minimum(x, iteration + 1, True, cost, mu, before)

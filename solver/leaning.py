@@ -36,7 +36,7 @@ from .solution import Solution
 from .starting.focal_prior import USUAL, spare_observations
 from .starting.warm_start import pose_from
 from .structure import Structure
-from .values import Array, Stop
+from .values import Array, Stop, kept
 from .world import camera_above_ground
 
 #: How far directions lean (3 to 10 degrees, by component) and how far lengths are off, rad, parts.
@@ -133,8 +133,10 @@ def by_lean(full: FullProblem, x: Pose) -> Array:
     return np.asarray(slopes.reshape(9, -1))
 
 
-def _evidence(plain: FullProblem, x: Pose) -> _Evidence:
+@kept
+def _evidence(full: FullProblem, told: FocalPrior | None, x: Pose) -> _Evidence:
     """What the drawing shows of a lean, all else free to follow it, to first order about x."""
+    plain = _plain(full, told)
     rows = plain.rows_of_vertices(x)
     D, r = by_lean(plain, x), rows[0]
     at = plain.evaluate(x)
@@ -153,11 +155,11 @@ def _evidence(plain: FullProblem, x: Pose) -> _Evidence:
     S = (D @ D.T - B @ taken[:, :-1]) * np.outer(sigmas, sigmas)
     felt = (D @ r - B @ taken[:, -1]) * sigmas
     values, vectors = np.linalg.eigh(S)
-    kept = values > UNFELT * max(float(values[-1]), 1e-300)
-    squares = (felt @ vectors[:, kept]) ** 2 / values[kept]
+    seen = values > UNFELT * max(float(values[-1]), 1e-300)
+    squares = (felt @ vectors[:, seen]) ** 2 / values[seen]
     rest = float(r @ r - b @ taken[:, -1] - squares.sum())
     spare = max(spare_observations(plain, x) + (plain.prior is not None), len(squares))
-    return _Evidence(values[kept], squares, max(rest, 1e-30), spare - len(squares))
+    return _Evidence(values[seen], squares, max(rest, 1e-30), spare - len(squares))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -291,7 +293,7 @@ def shown_hand(full: FullProblem, told: FocalPrior | None, x: Pose) -> LeaningHa
         Near the minimum with or without a lean.
     """
     plain = _plain(full, told)
-    odds, hand = _evidence(plain, x).log_odds(_noises(plain))
+    odds, hand = _evidence(full, told, x).log_odds(_noises(plain))
     r = plain.rows_of_vertices(x)[0]
     far = float(r @ r) > (FAR_RMS * drawn_diagonal(plain.problem)) ** 2 * full.n_vertices
     return hand if odds >= (FAR_ODDS if far else PLAIN_ODDS) else None
@@ -324,7 +326,7 @@ def with_a_possible_lean(lifted: Lifted, sigmas: Array) -> Array:
         return sigmas
     told = None if lifted.focal_assumed else told_focal(lifted.problem)
     plain = _plain(full, told)
-    odds, hand = _evidence(plain, last.x).log_odds(_noises(plain), SCALES[:1])
+    odds, hand = _evidence(full, told, last.x).log_odds(_noises(plain), SCALES[:1])
     likely = 1 / (1 + math.exp(-odds)) if odds > math.log(HARDLY) else 0.0
     if not likely:
         return sigmas

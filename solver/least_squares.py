@@ -21,7 +21,7 @@ from dataclasses import dataclass, replace
 from typing import Generic, Protocol, TypeVar
 
 import numpy as np
-from scipy.linalg.lapack import dposv
+from scipy.linalg.lapack import dgelsy, dposv
 from scipy.sparse import bmat, csc_array, identity
 from scipy.sparse.linalg import splu
 
@@ -42,6 +42,8 @@ FIRST_DAMPING = 1e-8
 PARTS = (1.0, 0.5)
 #: Up to so many unknowns dense algebra is faster.
 MAX_DENSE = 150
+#: Rows of constraints that differ by less say the same; columns that LAPACK turns at once.
+SAME_ROW, BLOCK = 1e-9, 32
 #: Nothing is left to gain below this: every point is met to 1e-13.
 EXACT_COST = 1e-26
 
@@ -326,14 +328,23 @@ def smallest_step(h: Array, H: Array) -> Array:
     """The smallest step that takes h to 0, or as near to 0 as can be: -H^+ h."""
     k, n = H.shape
     if n <= MAX_DENSE:
-        return np.asarray(-np.linalg.lstsq(H, h, rcond=1e-9)[0])
+        return _smallest_dense_step(h, H)
     if k > n:
         # So many rows leave nothing that is sparse.
-        few, rows = _few_rows(h, H)
-        return np.asarray(-np.linalg.lstsq(rows, few, rcond=1e-9)[0])
+        return _smallest_dense_step(*_few_rows(h, H))
     # Rows that say the same are told apart by a little slack; repeated steps do the rest.
     rows = csc_array(H)
     slack = 1e-12 * float(np.abs(H).max(initial=1.0)) ** 2
     system = bmat([[identity(n), rows.T], [rows, -slack * identity(k)]], format="csc")
     solved = splu(system).solve(np.concatenate([np.zeros(n), -h]))
     return np.asarray(solved[:n])
+
+
+def _smallest_dense_step(h: Array, H: Array) -> Array:
+    """By QR with pivots, which takes a third of the time of singular values."""
+    k, n = H.shape
+    right = np.zeros((max(k, n), 1))
+    right[:k, 0] = h
+    room = min(k, n) + 2 * n + BLOCK * (n + 1)
+    _, step, _, _, _ = dgelsy(H, right, np.zeros(n, dtype=np.int32), SAME_ROW, room)
+    return np.asarray(-step[:n, 0])

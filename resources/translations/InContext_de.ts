@@ -1738,10 +1738,6 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
         <translation>eine dünnere Wand</translation>
     </message>
     <message>
-        <source>a thinner wall, or partitions that stand at right angles to the walls they meet</source>
-        <translation>eine dünnere Wand oder Trennwände, die senkrecht auf ihren Wänden stehen</translation>
-    </message>
-    <message>
         <source>a thinner wall, or the other side</source>
         <translation>eine dünnere Wand oder die andere Seite</translation>
     </message>
@@ -1920,6 +1916,22 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
     <message>
         <source>not known</source>
         <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>walls touch each other in an edge only, which makes no solid</source>
+        <translation>Wände berühren einander nur in einer Kante, das ergibt keinen Körper</translation>
+    </message>
+    <message>
+        <source>leave fewer faces out</source>
+        <translation>weniger Flächen weglassen</translation>
+    </message>
+    <message>
+        <source>the walls have {} mm3 instead of {}</source>
+        <translation>die Wände haben {} mm³ statt {}</translation>
+    </message>
+    <message>
+        <source>bodies that share a face, or lie apart</source>
+        <translation>Körper, die eine Fläche gemeinsam haben oder getrennt liegen</translation>
     </message>
     <message>
         <source>nothing is left of the walls</source>
@@ -3152,18 +3164,6 @@ Sie kommen in FreeCADs eigenen Ordner; das kann einige Minuten dauern und bis zu
     <message>
         <source>side inside, or thinner plates</source>
         <translation>Seite inside oder dünnere Platten</translation>
-    </message>
-    <message>
-        <source>no wall of {0} mm can be made around {1}, where edges look outwards and inwards</source>
-        <translation>um {1} herum, wo Kanten nach außen und nach innen zeigen, geht keine Wand von {0} mm</translation>
-    </message>
-    <message>
-        <source>the wall comes out {0} mm thick here, not {1} mm</source>
-        <translation>die Wand wird hier {0} mm dick statt {1} mm</translation>
-    </message>
-    <message>
-        <source>a solid print, no face left out, or plates</source>
-        <translation>ein voller Druck, keine weggelassene Fläche oder Platten</translation>
     </message>
     <message>
         <source>a smaller kerf, or wider fingers</source>

@@ -1738,10 +1738,6 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
         <translation>壁を薄くする</translation>
     </message>
     <message>
-        <source>a thinner wall, or partitions that stand at right angles to the walls they meet</source>
-        <translation>壁を薄くするか、仕切りを壁に直角にする</translation>
-    </message>
-    <message>
         <source>a thinner wall, or the other side</source>
         <translation>壁を薄くするか、反対側にする</translation>
     </message>
@@ -1920,6 +1916,22 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
     <message>
         <source>not known</source>
         <translation>不明</translation>
+    </message>
+    <message>
+        <source>walls touch each other in an edge only, which makes no solid</source>
+        <translation>壁どうしが一本の辺だけで接しており、立体になりません</translation>
+    </message>
+    <message>
+        <source>leave fewer faces out</source>
+        <translation>開ける面を減らす</translation>
+    </message>
+    <message>
+        <source>the walls have {} mm3 instead of {}</source>
+        <translation>壁の体積が {} mm³ です (正しくは {})</translation>
+    </message>
+    <message>
+        <source>bodies that share a face, or lie apart</source>
+        <translation>立体どうしが面を共有するか、離れるようにする</translation>
     </message>
     <message>
         <source>nothing is left of the walls</source>
@@ -3152,18 +3164,6 @@ FreeCAD のフォルダーに入れます。数分と最大 2 GB かかること
     <message>
         <source>side inside, or thinner plates</source>
         <translation>side を inside にするか、板を薄くする</translation>
-    </message>
-    <message>
-        <source>no wall of {0} mm can be made around {1}, where edges look outwards and inwards</source>
-        <translation>外向きと内向きの辺が集まる {1} の周りには {0} mm の壁を作れません</translation>
-    </message>
-    <message>
-        <source>the wall comes out {0} mm thick here, not {1} mm</source>
-        <translation>ここの壁は {1} mm ではなく {0} mm の厚さになります</translation>
-    </message>
-    <message>
-        <source>a solid print, no face left out, or plates</source>
-        <translation>中空にせず印刷する、面を省かない、または板で作る</translation>
     </message>
     <message>
         <source>a smaller kerf, or wider fingers</source>

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from unittest import mock
 
 import manifold3d as m3
 import numpy as np
@@ -10,19 +11,22 @@ import shapely
 from fabrication.bodies import drawn_body
 
 from incontext.solver.model import Model, ModelFace
-from incontext.workbench.fabrication import ShellSettings, shell_solid
+from incontext.workbench.fabrication import ShellSettings, shell, shell_solid
 from incontext.workbench.fabrication.enclosed import enclosed, plane_axes
 from incontext.workbench.fabrication.frame import newell
 from incontext.workbench.fabrication.meshes import mesh_of
 from incontext.workbench.fabrication.sides import face_sides
 
+#: So many walls from all faces nothing is filled.
+FAR = 4.0
 #: So many walls around an opening its rim reaches.
 RIM = 1.5
 
 
 def broken_print(model: Model, settings: ShellSettings) -> Iterator[str]:
     """Each law that a print breaks."""
-    solid = shell_solid(model, settings)
+    with mock.patch.object(shell, "_bead", wraps=shell._bead) as bead:
+        solid = shell_solid(model, settings)
     mesh = mesh_of(solid, settings.tolerance_mm)
     body_ = m3.Manifold(m3.Mesh64(mesh.vertices_mm, mesh.triangles.astype(np.uint64)))
     size = float(np.ptp(mesh.vertices_mm, axis=0).max())
@@ -33,13 +37,23 @@ def broken_print(model: Model, settings: ShellSettings) -> Iterator[str]:
         yield "the surface passes through itself"
     if len(body_.decompose()) != 1 and not any(f.included for f in model.faces.values()):
         yield "the print is in pieces"
-    yield from _of_thickness(model, settings, mesh.vertices_mm, 1e-5 * size)
+    corners = mesh.vertices_mm
+    for (edge, radius), _ in bead.call_args_list:  # thicker there, with corners of its own
+        way = edge[1] - edge[0]
+        share = np.clip((corners - edge[0]) @ way / (way @ way), 0.0, 1.0)
+        away = np.linalg.norm(corners - edge[0] - np.outer(share, way), axis=1)
+        corners = corners[away > 2 * radius]
+    yield from _of_thickness(model, settings, corners, 1e-5 * size)
     yield from _of_slabs(model, settings, body_)
+    yield from _of_hollow(model, settings, body_)
     drawn = drawn_body(model)
     if drawn is None or settings.side == "middle":
         return
     wrong = body_ - drawn if settings.side == "inside" else body_ ^ drawn
-    if wrong.volume() > 1e-6 * size**3:
+    loops = {id_: (f.loop_mm, *f.holes_mm) for id_, f in model.faces.items()}
+    parted = any(side == 0 for side in face_sides(loops, list(loops)).values())
+    # Partitions lie within, whichever side the wall is on.
+    if (settings.side == "inside" or not parted) and wrong.volume() > 1e-6 * size**3:
         yield f"{wrong.volume():.3g} mm3 lie on the wrong side"
     closed = all(face.included for face in model.faces.values())
     hull = m3.Manifold.hull_points(np.array(list(model.vertices_mm.values())))
@@ -115,6 +129,28 @@ def _of_slabs(model: Model, settings: ShellSettings, print_: m3.Manifold) -> Ite
             lacks = (part - print_).volume()
             if lacks > 1e-4 * slab.volume():
                 yield f"{id_} lacks {lacks:.3g} mm3 of its {slab.volume():.6g} mm3"
+
+
+def _of_hollow(model: Model, settings: ShellSettings, print_: m3.Manifold) -> Iterator[str]:
+    """Far from all faces nothing is filled.
+
+    Mitres of two faces end within `FAR` walls where the angle between them is above 30 degrees.
+    """
+    points = np.array(list(model.vertices_mm.values()))
+    low, size = points.min(axis=0), np.ptp(points, axis=0)
+    grid = np.array(np.meshgrid(*3 * [(np.arange(12) + 0.5) / 12])).reshape(3, -1).T
+    spots = low + grid * size
+    gaps = np.min([_distances(face, spots) for face in model.faces.values()], axis=0)
+    far = spots[gaps > FAR * settings.wall_mm]
+    full = [spot for spot in far if _crossings(print_, spot, float(2 * size.max())) % 2]
+    if full:
+        yield f"{np.round(full[0], 2).tolist()} is filled, far from all faces"
+
+
+def _crossings(body: m3.Manifold, spot: np.ndarray, reach: float) -> int:
+    """How often a way out of a body, along no axis, crosses its surface."""
+    way = np.array([0.613, 0.377, 0.694])
+    return len(body.ray_cast(spot, spot + reach * way / np.linalg.norm(way)))
 
 
 def _slab(face: ModelFace, low_mm: float, high_mm: float) -> m3.Manifold:

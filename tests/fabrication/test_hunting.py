@@ -43,6 +43,13 @@ def test_plates_of_random_shapes(family):
         ("fan", 22002),
         ("fan", 22009),
         ("fan", 13011),
+        ("polycube", 6118),
+        ("polycube", 50006),
+        ("polycube", 50007),
+        ("slanted_lid", 50001),
+        ("slanted_lid", 50002),
+        ("spire", 50003),
+        ("frustum", 50014),
     ],
 )
 def test_prints_of_random_shapes(family, seed):

@@ -71,6 +71,6 @@ def test_rims_may_end_nearer_to_a_face_than_its_wall_is_thick():
 def test_faces_of_a_wall_are_whole():
     """Two faces in each plane, none in triangles."""
     model, settings = print_case("pencil", 13000)
-    for side in ("inside", "outside"):
+    for side in ("inside", "outside", "middle"):
         wall = shell_solid(model, replace(settings, side=side))
         assert len(wall.Faces()) == 2 * len(model.faces)

@@ -1,19 +1,31 @@
-"""Bodies of flat faces from triangles to the kernel: what hangs together in a plane is one face.
+"""Bodies of flat faces from triangles to the kernel: what lies in one plane is one face.
 
-The kernel's own booleans fail, or make what is no solid, where many faces nearly meet. Triangles
-that close stay closed: faces share their edges and vertices here, nothing is sewn.
+Terms
+-----
+chain
+    The border of the triangles of one plane: edges, each as often as it is run through from its
+    lower to its higher vertex, less often where the other way.
+
+Booleans leave triangles of no width, films whose sides lie in one plane, and vertices on the edges
+of others; the kernel's own ones fail, or make what is no solid, where many faces nearly meet. In
+chains whose edges end at all vertices that lie on them all this cancels, however it is cut into
+triangles, and what is left of a closed body is closed.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import shapely
 from manifold3d import Manifold
 from numpy.typing import NDArray
 from scipy.spatial import KDTree
+from shapely.geometry.polygon import orient
 
 from ...solver.union_find import UnionFind
 from ...solver.values import Array
@@ -27,23 +39,52 @@ if TYPE_CHECKING:
 _ON_MM = 1e-6
 #: The kernel's own tolerance.
 _LEAST_MM = 1e-7
+#: By how much of itself the volume may change.
+_SAME = 1e-6
 #: Smaller parts of a body come from rounding, in parts of its volume.
 _SPECK = 1e-9
-#: Triangles of no width may lie beside others.
-_ROUNDS = 50
+#: Edges that were split may pass vertices again, by rounding.
+_ROUNDS = 10
 Triangles = NDArray[np.int64]
+Edge = tuple[int, int]
+Chain = Mapping[Edge, int]
 Ring = list[int]
 
 
-class InvalidSolidError(FabricationError):
-    """A body that the kernel does not take; its ids are faces that may be at fault."""
+class TouchingError(FabricationError):
+    """A body that touches itself in edges, (n, 2, 3)."""
 
-    def __init__(self, ids: Sequence[str] = ()) -> None:
+    def __init__(self, edges_mm: Array, ids: Sequence[str] = ()) -> None:
         super().__init__(
-            "the walls touch each other in single edges or corners, which makes no solid",
+            "walls touch each other in an edge only, which makes no solid",
             ids,
-            "a wall 1 % thinner or thicker",
+            "a thinner or thicker wall",
         )
+        self.edges_mm = edges_mm
+
+
+class PartedError(FabricationError):
+    """A body in parts; the corners of each, (n, 3)."""
+
+    def __init__(self, parts_mm: Sequence[Array], ids: Sequence[str] = ()) -> None:
+        super().__init__(
+            f"the walls make {len(parts_mm)} solids instead of one", ids, "leave fewer faces out"
+        )
+        self.parts_mm = parts_mm
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Face:
+    """A face: the normal that looks out of the body, and rings that turn left around it."""
+
+    normal: Array
+    rings: tuple[Ring, ...]
+
+    @property
+    def edges(self) -> Iterator[Edge]:
+        """From vertex to vertex, as its rings run."""
+        for ring in self.rings:
+            yield from pairwise((*ring, ring[0]))
 
 
 def kernel_solid(body: Manifold) -> cq.Solid:
@@ -60,169 +101,166 @@ def kernel_solid(body: Manifold) -> cq.Solid:
 
     Raises
     ------
-    InvalidSolidError
+    TouchingError
+        Where more than two faces meet in an edge.
+    PartedError
+        Where it is several bodies.
+    FabricationError
+        Where nothing is left of it.
     """
     import cadquery as cq
     from OCP.BRep import BRep_Builder
     from OCP.TopoDS import TopoDS_Solid
 
-    if body.is_empty():
-        raise InvalidSolidError
-    points, parts = whole_parts(body)
+    points, faces = flat_faces(body)
+    shells = _shells(points, faces)
     builder, solid = BRep_Builder(), TopoDS_Solid()
     builder.MakeSolid(solid)
-    for triangles in parts:
-        builder.Add(solid, _shell(points, _straight(points, list(_faces(points, triangles)))))
+    for shell in shells:
+        builder.Add(solid, _shell(points, shell))
     made = cq.Solid(solid)
-    if not made.isValid() or abs(made.Volume() - body.volume()) > _ON_MM * body.volume():
-        raise InvalidSolidError
+    if not made.isValid() or abs(made.Volume() - body.volume()) > _SAME * body.volume():
+        raise FabricationError(
+            f"the walls have {made.Volume():.6g} mm3 instead of {body.volume():.6g}",
+            (),
+            "a thinner or thicker wall",
+        )
     return made
 
 
-def whole_parts(body: Manifold) -> tuple[Array, list[Triangles]]:
-    """A body's points, and the triangles of each closed surface, the largest first."""
-    points, triangles = _welded(body)
-    sets = UnionFind(len(points))
-    for a, b, c in triangles.tolist():
-        sets.union(a, b)
-        sets.union(a, c)
-    labels = np.array(sets.labels())[triangles[:, 0]]
-    parts = [triangles[labels == label] for label in np.unique(labels)]
-    corners = points - points.mean(axis=0)
-    volumes = [float(np.linalg.det(corners[part]).sum() / 6) for part in parts]
-    order = sorted(range(len(parts)), key=lambda n: -volumes[n])
-    return points, [parts[n] for n in order if abs(volumes[n]) > _SPECK * volumes[order[0]]]
-
-
-def _welded(body: Manifold) -> tuple[Array, Triangles]:
-    """A body's points and triangles, those so near to each other that rounding parts them one."""
+def flat_faces(body: Manifold) -> tuple[Array, list[_Face]]:
+    """A body's points, and its faces."""
     mesh = body.to_mesh64()
     points = np.asarray(mesh.vert_properties)[:, :3]
-    triangles = np.asarray(mesh.tri_verts).astype(np.int64)
+    raw = np.asarray(mesh.tri_verts).astype(np.int64)
     sets = UnionFind(len(points))
     for a, b in KDTree(points).query_pairs(_ON_MM, output_type="ndarray").tolist():
         sets.union(a, b)
-    triangles = np.array(sets.labels())[triangles]
-    a, b, c = triangles.T
-    triangles = _closed(triangles[(a != b) & (b != c) & (c != a)])
-    for _ in range(_ROUNDS):
-        triangles, changed = _turned(points, triangles)
-        if not changed:
-            break
-        triangles = _closed(triangles)
-    return points, triangles
+    _, first, labels = np.unique(sets.labels(), return_index=True, return_inverse=True)
+    planes = list(_planes(points[raw]))
+    borders = [_border(labels.reshape(-1)[raw[own]]) for _, own in planes]
+    points, chains = _split(points[first], borders, [normal for normal, _ in planes])
+    faces = [
+        face
+        for (normal, _), chain in zip(planes, chains, strict=True)
+        for face in _cells(points, chain, normal)
+    ]
+    return points, _straight(points, faces)
 
 
-def _closed(triangles: Triangles) -> Triangles:
-    """Triangles without those that lie on each other, back to back; each edge has two then."""
-    count: dict[frozenset[int], list[int]] = {}
-    for n, triangle in enumerate(triangles.tolist()):
-        count.setdefault(frozenset(triangle), []).append(n)
-    folded = [pair for pair in count.values() if len(pair) == 2]
-    kept = np.delete(triangles, np.array(folded, dtype=np.int64).ravel(), axis=0)
-    edges = _beside(kept)
-    if len(edges) < 3 * len(kept) or any((b, a) not in edges for a, b in edges):
-        raise InvalidSolidError
-    return kept
-
-
-def _turned(points: Array, triangles: Triangles) -> tuple[Triangles, bool]:
-    """Triangles of no width made part of what lies beyond their longest side."""
-    corners = points[triangles]
-    spans = np.roll(corners, -1, axis=1) - corners
-    lengths = np.linalg.norm(spans, axis=2)
-    sizes = np.linalg.norm(np.cross(spans[:, 0], spans[:, 1]), axis=1)
-    thin = np.flatnonzero(sizes < _ON_MM * lengths.max(axis=1))
-    result, touched = triangles.copy(), set[int]()
-    beside = _beside(triangles) if len(thin) else {}
-    for n in thin[np.argsort(-lengths[thin].max(axis=1), kind="stable")].tolist():
-        k = int(lengths[n].argmax())
-        a, b, c = np.roll(triangles[n], -k).tolist()
-        other = beside[b, a]
-        d = int(next(v for v in triangles[other].tolist() if v not in (a, b)))
-        if touched & {n, other} or (c, d) in beside or (d, c) in beside:
-            continue
-        touched |= {n, other}
-        result[n], result[other] = (a, d, c), (d, b, c)
-    return result, bool(touched)
-
-
-def _beside(triangles: Triangles) -> dict[tuple[int, int], int]:
-    """The triangle at each edge as it turns."""
-    return {
-        edge: n
-        for n, (a, b, c) in enumerate(triangles.tolist())
-        for edge in ((a, b), (b, c), (c, a))
-    }
-
-
-def _faces(points: Array, triangles: Triangles) -> Iterator[list[Ring]]:
-    """The rings of each face: triangles that hang together in one plane."""
-    corners = points[triangles]
+def _planes(corners: Array) -> Iterator[tuple[Array, NDArray[np.intp]]]:
+    """The normal of each plane, and the triangles in it, whichever side they look to."""
     areas = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     sizes = np.linalg.norm(areas, axis=1)
-    beside = _beside(triangles)
-    face_of = np.full(len(triangles), -1)
+    free = np.ones(len(corners), dtype=bool)
     for seed in np.argsort(-sizes, kind="stable").tolist():
-        if face_of[seed] >= 0:
+        if free[seed]:
+            normal = areas[seed] / max(sizes[seed], 1e-300)
+            rest = np.flatnonzero(free)
+            off = np.abs((corners[rest] - corners[seed, 0]) @ normal).max(axis=1)
+            own = np.union1d(rest[off < 2 * _ON_MM], [seed])
+            free[own] = False
+            yield normal, own
+
+
+def _border(triangles: Triangles) -> Chain:
+    """The chain of triangles."""
+    edges = np.vstack([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+    chain = Counter[Edge]()
+    for a, b in edges.tolist():
+        chain[min(a, b), max(a, b)] += (a < b) - (b < a)
+    return {edge: count for edge, count in chain.items() if count}
+
+
+def _split(
+    points: Array, chains: Sequence[Chain], normals: Sequence[Array]
+) -> tuple[Array, Sequence[Chain]]:
+    """Chains whose edges end at all vertices that lie on them, and where they cross."""
+    count = len(points)
+    for _ in range(_ROUNDS):
+        edges = sorted({edge for chain in chains for edge in chain})
+        runs = _runs(points, np.array(edges, dtype=np.int64).reshape(-1, 2), count)
+        if any(len(run) > 2 for run in runs.values()):
+            chains = [_along(chain, runs) for chain in chains]
             continue
-        normal = areas[seed] / max(sizes[seed], 1e-300)
-        flat = np.abs((corners - corners[seed, 0]) @ normal).max(axis=1) < 2 * _ON_MM
-        flat &= areas @ normal > 0.0
-        face_of[seed] = seed
-        waiting = [seed]
-        while waiting:
-            a, b, c = triangles[waiting.pop()].tolist()
-            for edge in ((b, a), (c, b), (a, c)):
-                n = beside[edge]
-                if face_of[n] < 0 and flat[n]:
-                    face_of[n] = seed
-                    waiting.append(n)
-        own = np.flatnonzero(face_of == seed).tolist()
-        border = {
-            (a, b)
-            for n in own
-            for a, b in pairwise((*triangles[n].tolist(), triangles[n, 0].item()))
-            if face_of[beside[b, a]] != seed
-        }
-        yield list(_rings(border, points, normal))
+        pairs = zip(chains, normals, strict=True)
+        crossings = [_crossings(points, chain, normal) for chain, normal in pairs if chain]
+        more = np.vstack([np.empty((0, 3)), *crossings])
+        if not len(more):
+            break
+        points = np.vstack([points, more])
+    return points, chains
 
 
-def _rings(border: set[tuple[int, int]], points: Array, normal: Array) -> Iterator[Ring]:
-    """The border of a face as rings that touch themselves nowhere, the face on their left."""
-    ways: dict[int, list[int]] = {}
-    for a, b in sorted(border):
-        ways.setdefault(a, []).append(b)
-    ring: Ring = []
-    while ways or ring:
-        if not ring:
-            ring = [next(iter(ways))]
-        v = ring[-1]
-        if len(ring) > 1:
-            u = ring[-2]
-            turns = [_turn(points[[u, v, w]], normal) for w in ways[v]]
-            ways[v].append(ways[v].pop(int(np.argmax(turns))))
-        w = ways[v].pop()
-        if not ways[v]:
-            del ways[v]
-        if w in ring:
-            start = ring.index(w)
-            yield ring[start:]
-            ring = ring[: start + 1] if start else []
-        else:
-            ring.append(w)
+def _crossings(points: Array, chain: Chain, normal: Array) -> Array:
+    """Where edges of a chain cross."""
+    axes = np.linalg.svd(normal[None])[2][1:]
+    origin = points[next(iter(chain))[0]]
+    flat = (points[np.array(list(chain))] - origin) @ axes.T
+    nodes = shapely.get_coordinates(shapely.node(shapely.multilinestrings(list(flat))))
+    nodes = np.unique(nodes, axis=0)
+    away = KDTree(flat.reshape(-1, 2)).query(nodes)[0] > _ON_MM
+    return np.asarray(origin + nodes[away] @ axes)
 
 
-def _turn(run: Array, normal: Array) -> float:
-    """By which angle a line of three points turns to the left."""
-    one, two = run[1] - run[0], run[2] - run[1]
-    return float(np.arctan2(np.cross(one, two) @ normal, one @ two))
+def _runs(points: Array, edges: Triangles, first_new: int) -> dict[Edge, list[int]]:
+    """For each edge the vertices on it, from its first to its last one."""
+    found = {}
+    names = np.union1d(edges, np.arange(first_new, len(points)))
+    spots = points[names]
+    for a, b in edges.tolist():
+        span = points[b] - points[a]
+        length = float(np.linalg.norm(span))
+        arms = spots - points[a]
+        along = arms @ (span / length)
+        near = np.flatnonzero((along > 0) & (along < length))
+        off = np.linalg.norm(arms[near] - np.outer(along[near], span / length), axis=1)
+        on = near[off < _ON_MM]
+        between = names[on[np.argsort(along[on], kind="stable")]].tolist()
+        found[a, b] = [a, *(v for v in between if v not in (a, b)), b]
+    return found
 
 
-def _straight(points: Array, faces: Sequence[list[Ring]]) -> list[list[Ring]]:
+def _along(chain: Chain, runs: Mapping[Edge, Sequence[int]]) -> Chain:
+    """A chain along runs in place of its edges."""
+    result = Counter[Edge]()
+    for edge, count in chain.items():
+        for a, b in pairwise(runs[edge]):
+            result[min(a, b), max(a, b)] += count if a < b else -count
+    return {edge: count for edge, count in result.items() if count}
+
+
+def _cells(points: Array, chain: Chain, normal: Array) -> Iterator[_Face]:
+    """The faces that a chain bounds."""
+    if not chain:
+        return
+    axes = np.linalg.svd(normal[None])[2][1:]
+    axes = axes if np.cross(*axes) @ normal > 0 else axes[::-1]
+    edges = np.array(list(chain))
+    flat = points @ axes.T
+    lines, counts = flat[edges], np.array(list(chain.values()))
+    names = {tuple(flat[v]): v for v in np.unique(edges).tolist()}
+    for cell in shapely.get_parts(shapely.polygonize(shapely.linestrings(lines))):
+        turns = _turns(cell.representative_point(), lines, counts)
+        if turns:
+            whole = orient(cell, np.sign(turns))
+            rings = [ring.coords[:-1] for ring in (whole.exterior, *whole.interiors)]
+            yield _Face(normal * np.sign(turns), tuple([names[p] for p in ring] for ring in rings))
+
+
+def _turns(spot: shapely.Point, lines: Array, counts: Array) -> int:
+    """How often a chain winds around a point."""
+    low, high = lines[:, 0, 1] <= spot.y, lines[:, 1, 1] <= spot.y
+    share = (spot.y - lines[:, 0, 1]) / np.where(low != high, lines[:, 1, 1] - lines[:, 0, 1], 1.0)
+    at = lines[:, 0, 0] + share * (lines[:, 1, 0] - lines[:, 0, 0])
+    beyond = (low != high) & (at > spot.x)
+    return int((counts * beyond * (low.astype(int) - high)).sum())
+
+
+def _straight(points: Array, faces: Sequence[_Face]) -> list[_Face]:
     """Rings without points at which a side only goes on."""
     beside: dict[int, set[int]] = {}
-    for a, b in (pair for rings in faces for ring in rings for pair in pairwise((*ring, ring[0]))):
+    for a, b in (edge for face in faces for edge in face.edges):
         beside.setdefault(a, set()).add(b)
         beside.setdefault(b, set()).add(a)
     gone = set()
@@ -237,43 +275,83 @@ def _straight(points: Array, faces: Sequence[list[Ring]]) -> list[list[Ring]]:
             gone.add(v)
             beside[a] = beside[a] - {v} | {b}
             beside[b] = beside[b] - {v} | {a}
-    kept = [[[v for v in ring if v not in gone] for ring in rings] for rings in faces]
-    whole = [[ring for ring in rings if len(ring) > 2] for rings in kept]
-    return [rings for rings in whole if rings]
+    kept = [[[v for v in ring if v not in gone] for ring in face.rings] for face in faces]
+    return [_Face(face.normal, tuple(rings)) for face, rings in zip(faces, kept, strict=True)]
 
 
-def _shell(points: Array, faces: Sequence[list[Ring]]) -> Any:
+def _shells(points: Array, faces: Sequence[_Face]) -> list[list[_Face]]:
+    """Faces that hang together by edges: the one that encloses all else first, then hollows."""
+    count = Counter(edge for face in faces for edge in face.edges)
+    wrong = [edge for edge in count if count[edge] != 1 or count[edge[::-1]] != 1]
+    if wrong:
+        raise TouchingError(points[np.array(sorted({(min(e), max(e)) for e in wrong}))])
+    sets, first = UnionFind(len(faces)), dict[Edge, int]()
+    for n, face in enumerate(faces):
+        for a, b in face.edges:
+            sets.union(n, first.setdefault((min(a, b), max(a, b)), n))
+    groups: dict[int, list[_Face]] = {}
+    for face, label in zip(faces, sets.labels(), strict=True):
+        groups.setdefault(label, []).append(face)
+    volumes = {label: _volume(points, group) for label, group in groups.items()}
+    least = _SPECK * max(volumes.values(), default=0.0)
+    order = [
+        label
+        for label in sorted(groups, key=lambda label: -volumes[label])
+        if abs(volumes[label]) > least
+    ]
+    parts = [label for label in order if volumes[label] > 0]
+    if not parts:
+        raise FabricationError("nothing is left of the walls", (), "a thicker wall")
+    if len(parts) > 1:
+        corners = [sorted({v for f in groups[n] for edge in f.edges for v in edge}) for n in parts]
+        raise PartedError([points[part] for part in corners])
+    return [groups[label] for label in order]
+
+
+def _volume(points: Array, faces: Sequence[_Face]) -> float:
+    """What faces enclose; less than 0 of a hollow."""
+    middle = points.mean(axis=0)
+    return sum(
+        float(newell(points[ring]) @ (points[ring[0]] - middle)) / 3
+        for face in faces
+        for ring in face.rings
+    )
+
+
+def _shell(points: Array, faces: Sequence[_Face]) -> Any:
     """Faces that share their edges, as a closed shell."""
     from OCP.BRep import BRep_Builder
+    from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeFace
     from OCP.gp import gp_Dir, gp_Pln, gp_Pnt
     from OCP.TopoDS import TopoDS_Shell
 
-    planes = [_plane(points, rings) for rings in faces]
+    planes = [_plane(points, face) for face in faces]
     off: dict[int, float] = {}
-    for (middle, normal), rings in zip(planes, faces, strict=True):
-        for v in (v for ring in rings for v in ring):
+    for (middle, normal), face in zip(planes, faces, strict=True):
+        for v in (v for ring in face.rings for v in ring):
             off[v] = max(off.get(v, _LEAST_MM), 2 * abs(float((points[v] - middle) @ normal)))
     edges = _edges(points, faces, off)
     builder, shell = BRep_Builder(), TopoDS_Shell()
     builder.MakeShell(shell)
-    for (middle, normal), rings in zip(planes, faces, strict=True):
+    for (middle, normal), face in zip(planes, faces, strict=True):
         plane = gp_Pln(gp_Pnt(*middle.tolist()), gp_Dir(*normal.tolist()))
-        for face in _kernel_faces(plane, normal, rings, points, edges):
-            builder.Add(shell, face)
+        outer, *holes = (_wire(ring, edges) for ring in face.rings)
+        made = BRepBuilderAPI_MakeFace(plane, outer, False)
+        for hole in holes:
+            made.Add(hole)
+        builder.Add(shell, made.Face())
     shell.Closed(True)
     return shell
 
 
-def _plane(points: Array, rings: Sequence[Ring]) -> tuple[Array, Array]:
-    """A point and the normal of the plane of a face."""
-    every = points[[v for ring in rings for v in ring]]
-    area = np.sum([newell(points[ring]) for ring in rings], axis=0)
+def _plane(points: Array, face: _Face) -> tuple[Array, Array]:
+    """A point and the normal of the plane that fits a face best."""
+    every = points[[v for ring in face.rings for v in ring]]
+    area = np.sum([newell(points[ring]) for ring in face.rings], axis=0)
     return every.mean(axis=0), area / np.linalg.norm(area)
 
 
-def _edges(
-    points: Array, faces: Sequence[list[Ring]], off: dict[int, float]
-) -> dict[tuple[int, int], Any]:
+def _edges(points: Array, faces: Sequence[_Face], off: dict[int, float]) -> dict[Edge, Any]:
     """The kernel's edge for each pair of points, both ways."""
     from OCP.BRep import BRep_Builder
     from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeEdge
@@ -284,8 +362,8 @@ def _edges(
     for v, tolerance in off.items():
         corners[v] = TopoDS_Vertex()
         builder.MakeVertex(corners[v], gp_Pnt(*points[v].tolist()), tolerance)
-    edges: dict[tuple[int, int], Any] = {}
-    for a, b in (pair for rings in faces for ring in rings for pair in pairwise((*ring, ring[0]))):
+    edges: dict[Edge, Any] = {}
+    for a, b in (edge for face in faces for edge in face.edges):
         if (a, b) not in edges:
             edge = BRepBuilderAPI_MakeEdge(corners[a], corners[b]).Edge()
             builder.UpdateEdge(edge, max(off[a], off[b]))
@@ -293,31 +371,7 @@ def _edges(
     return edges
 
 
-def _kernel_faces(
-    plane: Any,
-    normal: Array,
-    rings: Sequence[Ring],
-    points: Array,
-    edges: dict[tuple[int, int], Any],
-) -> Iterator[Any]:
-    """The faces that rings bound in a plane: more than one where they touch in a point only."""
-    import shapely
-    from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeFace
-
-    outer = [ring for ring in rings if newell(points[ring]) @ normal > 0]
-    holes = [ring for ring in rings if newell(points[ring]) @ normal <= 0]
-    axes = np.linalg.svd(normal[None])[2][1:]
-    for ring in outer:
-        face = BRepBuilderAPI_MakeFace(plane, _wire(ring, edges), False)
-        area = shapely.Polygon(points[ring] @ axes.T) if len(outer) > 1 else None
-        for hole in holes:
-            spot = shapely.Polygon(points[hole] @ axes.T).representative_point()
-            if area is None or area.contains(spot):
-                face.Add(_wire(hole, edges))
-        yield face.Face()
-
-
-def _wire(ring: Ring, edges: dict[tuple[int, int], Any]) -> Any:
+def _wire(ring: Ring, edges: dict[Edge, Any]) -> Any:
     from OCP.BRep import BRep_Builder
     from OCP.TopoDS import TopoDS_Wire
 

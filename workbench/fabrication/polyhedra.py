@@ -157,7 +157,11 @@ def _check_closed(model: Model, skin: Mapping[str, Sequence[Loop]]) -> None:
                 faces_at.setdefault(frozenset((v, w)), []).append(id_)
     for wrong, what, remedy in (
         (1, "the faces do not close: these edges lie open", "draw the missing face; leave it out"),
-        (3, "more than two outer faces meet in these edges", "leave one of the faces out"),
+        (
+            3,
+            "more than two outer faces meet in these edges",
+            "bodies that share a face, or lie apart",
+        ),
     ):
         edges = [e for e, faces in faces_at.items() if min(len(faces), 3) == wrong]
         if edges:

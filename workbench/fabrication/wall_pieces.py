@@ -11,22 +11,20 @@ gusset
     line in which their moved planes meet, and between a face's and the plane of a mouth.
 core
     What prisms and gussets leave open at a vertex whose moved planes meet in no point.
-joint
-    Pieces that touch might keep a gap of rounding: a joint lies on both sides of where they do.
 
 All that lies nearer to a face than the wall is thick is in a piece: it is nearest to the face
 itself (prism), to one of its edges (gusset) or to one of its vertices (core). So the wall is
 nowhere thinner than asked. Where the moved planes of each vertex meet in one point, or all of its
 edges are of one kind, the wall ends in these planes exactly; at other vertices it is thicker.
+
+Pieces that touch keep films of rounding between them, which `flat_solids` takes away.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 import manifold3d
 import numpy as np
@@ -34,14 +32,10 @@ from manifold3d import Manifold
 
 from ...solver.union_find import UnionFind
 from ...solver.values import Array
-from .enclosed import enclosed, triangulated
-from .errors import FabricationError
-from .flat_solids import InvalidSolidError, kernel_solid
+from .booleans import hull, united
+from .enclosed import triangulated
 from .frame import newell
 from .polyhedra import Loop, Polyhedron
-
-if TYPE_CHECKING:
-    import cadquery as cq
 
 #: Moved planes meet in one point if they miss it by less, mm.
 _ONE_POINT_MM = 1e-6
@@ -49,14 +43,8 @@ _ONE_POINT_MM = 1e-6
 _FLAT = 1e-6
 #: Half the size of the cube from which cores are cut, in walls: they reach less far.
 _FAR = 200.0
-#: How far a joint reaches into both pieces, in parts of their size.
-_INTO = 0.01
-#: How far gussets go beyond mouths, in walls: pieces that only touch there keep films between.
-_BEYOND = 0.1
-#: Walls that fail are tried again by so much thicker or thinner, mm.
-_NUDGES_MM = (0.0, 1e-6, -2e-6, 3e-6)
-#: A smaller part of the block is no hollow.
-_LEAST = 1e-6
+#: A smaller core comes from rounding, in walls cubed.
+_LEAST = 1e-9
 Edge = tuple[str, str]
 
 
@@ -73,63 +61,46 @@ class _Corner:
     normals: Array
     ways: Array
     reflex: bool
-    straight: bool
-    beside_mouth: bool
     move_mm: Array | None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Gusset:
-    """A gusset, a point in it, and its section at both ends: from the edge's end around it."""
+    """A gusset, and its section at both ends: from the edge's end around it."""
 
     body: Manifold
-    middle_mm: Array
     sections: Mapping[str, Array]
 
 
 def built_wall(
-    body: Polyhedron, outwards: Mapping[str, Array], mouths: Sequence[str], move_mm: float
-) -> cq.Solid:
-    """The wall between a body's faces and their copies, made of pieces.
+    body: Polyhedron,
+    block: Manifold,
+    outwards: Mapping[str, Array],
+    mouths: Sequence[str],
+    low_mm: float,
+    high_mm: float,
+) -> Manifold:
+    """The wall of a body between two copies of its faces, made of pieces.
 
     Parameters
     ----------
     body : Polyhedron
+    block : manifold3d.Manifold
+        What it encloses.
     outwards : mapping of face id to (3,) array
         Unit normals that look away from the object.
     mouths : sequence of face ids
         They get no wall; the walls beside them end in their planes, or square.
-    move_mm : float
-        How far the copies lie from the faces; outwards where positive.
+    low_mm, high_mm : float
+        How far the copies lie from the faces, at most and at least 0: outwards where positive.
 
     Returns
     -------
-    cadquery.Solid
-
-    Raises
-    ------
-    InvalidSolidError
-        Where pieces touch in single edges or corners.
-    FabricationError
-        Where nothing is left between the walls: they are too thick for the shape.
+    manifold3d.Manifold
     """
-    sides = {
-        id_: -1 if newell(body.points(loops[0])) @ outwards[id_] > 0 else 1
-        for id_, loops in body.skin.items()
-    }
-    block = enclosed(body.skin, body.vertices_mm, sides)
-    if block is None:
-        raise InvalidSolidError(mouths)
-    for nudge in _NUDGES_MM:
-        wall = Pieces(body, block, outwards, mouths, move_mm + nudge).wall()
-        if move_mm < 0 and block.volume() - wall.volume() < _LEAST * block.volume():
-            raise FabricationError(
-                f"no wall of {-move_mm:g} mm can be made", (), "a thinner wall, or the other side"
-            )
-        # Where rounding parts what touches, it does so at one thickness and not at the next.
-        with suppress(InvalidSolidError):
-            return kernel_solid(wall)
-    raise InvalidSolidError(mouths)
+    moves = [move for move in (low_mm, high_mm) if move]
+    walls = [Pieces(body, block, outwards, mouths, move).wall() for move in moves]
+    return united(walls)
 
 
 class Pieces:
@@ -172,7 +143,6 @@ class Pieces:
             for loop in loops
             for pair in pairwise((*loop, loop[0]))
         }
-        self._apexes = {edge: apex for id_ in self._loops for edge, apex in self._triangles(id_)}
         points = np.array(list(self._at.values()))
         self.last = [id_ for id_ in self._loops if self._is_last(id_, points)]
         self._corners = self._all_corners()
@@ -182,8 +152,8 @@ class Pieces:
         made = dict(self._gussets())
         pieces = [self.prism(id_) for id_ in self._loops if id_ not in self.mouths]
         pieces += [gusset.body for gusset in made.values()]
-        pieces += [*self._joints(made), *self._joints_at_vertices(made), *self._cores(made)]
-        return Manifold.batch_boolean(pieces, manifold3d.OpType.Add)
+        pieces += self._cores(made)
+        return united(pieces)
 
     def wall(self) -> Manifold:
         """All pieces on their side of the drawn faces."""
@@ -202,9 +172,19 @@ class Pieces:
         return prism(self.rings[id_], self.wall_mm * self.normals[id_])
 
     def _is_last(self, id_: str, points: Array) -> bool:
-        """Whether nothing lies beyond a face's plane, so that the wall ends in its moved one."""
-        heights = (points - self.rings[id_][0][0]) @ self.normals[id_]
-        return self.outside and bool(heights.max() < _FLAT * np.ptp(points, axis=0).max())
+        """Whether the wall ends in a face's moved plane: nothing lies beyond it.
+
+        A mouth in whose plane a face is made elsewhere is none: that face has its wall there.
+        """
+        origin, normal = self.rings[id_][0][0], self.normals[id_]
+        near = _FLAT * float(np.ptp(points, axis=0).max())
+        shared = id_ in self.mouths and any(
+            np.abs((np.vstack(rings) - origin) @ normal).max() < near
+            for other, rings in self.rings.items()
+            if other not in self.mouths
+        )
+        heights = (points - origin) @ normal
+        return self.outside and not shared and float(heights.max()) < near
 
     def _beside(self, edge: Edge) -> Array:
         """The direction at an edge away from its face, in the face's plane."""
@@ -221,9 +201,10 @@ class Pieces:
             a, b, beside = self.normals[one], self.normals[other], self._beside(edge)
             slope = float(b @ beside)
             if other in self.mouths:
-                # A little beyond the mouth, where the drawn faces cut it off.
-                lean = _BEYOND - float(b @ a) / slope if slope < -_FLAT else 0.0
-                arms = [a, a + lean * beside] if lean > _BEYOND + _FLAT else []
+                # At an edge that looks away from the mouth the wall ends square.
+                flush = slope < -_FLAT or (slope > _FLAT and self.outside)
+                lean = -float(b @ a) / slope if flush else 0.0
+                arms = [a, a + lean * beside] if lean > _FLAT else []
             else:
                 arms = [a, (a + b) / (1 + a @ b), b] if slope > _FLAT else []
             if arms:
@@ -231,61 +212,17 @@ class Pieces:
 
     def _gusset(self, edge: Edge, arms: Array) -> _Gusset:
         """The gusset at an edge; `arms` go from there to the corners of its section."""
-        one, sections, more = self._face_at[edge], {}, []
+        one, sections = self._face_at[edge], {}
         ends = [self._corners[v][one] for v in edge]
-        on = ends[1].at_mm - ends[0].at_mm
-        on = _BEYOND * self.wall_mm * on / np.linalg.norm(on)
-        for v, corner, way in zip(edge, ends, (-on, on), strict=True):
-            section = np.vstack([corner.at_mm, corner.at_mm + arms])
-            if corner.beside_mouth or corner.straight:
-                more.append(section[1:] + way)
+        for v, corner in zip(edge, ends, strict=True):
+            sections[v] = np.vstack([corner.at_mm, corner.at_mm + arms])
             if corner.move_mm is not None:
-                section[2] = corner.at_mm + corner.move_mm
-            sections[v] = section
-        made = Manifold.hull_points(np.vstack([*sections.values(), *more]))
+                sections[v][2] = corner.at_mm + corner.move_mm
+        made = hull(np.vstack(list(sections.values())))
         for corner in ends:
             if corner.reflex:
                 made = _cut(made, corner, corner.normals, self.wall_mm)
-        return _Gusset(made, np.vstack(list(sections.values())).mean(axis=0), sections)
-
-    def _joints(self, made: Mapping[Edge, _Gusset]) -> Iterator[Manifold]:
-        """Between prisms and gussets, and between prisms of faces in one plane."""
-        for edge, one in self._face_at.items():
-            back = edge[::-1]
-            other = self._face_at[back]
-            gusset = made.get(edge) or made.get(back)
-            if one in self.mouths:
-                continue
-            ends = np.array([self._at[v] for v in edge])
-            up = self.wall_mm * self.normals[one]
-            if gusset is not None:
-                there = gusset.middle_mm
-            elif other not in self.mouths and self.normals[one] @ self.normals[other] > 0:
-                if abs(float(self.normals[other] @ self._beside(edge))) > _FLAT:
-                    continue
-                there = self._apexes[back] + up / 2
-            else:
-                continue
-            yield _joint(np.vstack([ends, ends + up]), self._apexes[edge] + up / 2, there)
-
-    def _joints_at_vertices(self, made: Mapping[Edge, _Gusset]) -> Iterator[Manifold]:
-        """Between a gusset's end and the next gusset of a face, or the face's side at a mouth."""
-        for id_, loops in self._loops.items():
-            up = self.wall_mm * self.normals[id_]
-            for loop in loops if id_ not in self.mouths else ():
-                for n, v in enumerate(loop):
-                    pair = (loop[n - 1], v), (v, loop[(n + 1) % len(loop)])
-                    ends = [made.get(edge) or made.get(edge[::-1]) for edge in pair]
-                    meets = self._corners[v][id_].move_mm is not None
-                    for edge, one, other in zip(pair[::-1], ends, ends[::-1], strict=True):
-                        if one is None or (other is not None and not meets):
-                            continue
-                        at_mouth = self._face_at[edge[::-1]] in self.mouths
-                        if other is not None or at_mouth:
-                            there = other.middle_mm if other else self._apexes[edge] + up / 2
-                            foot = one.sections[v][0]
-                            shared = np.array([foot, foot + up, one.sections[v][2]])
-                            yield _joint(shared, one.middle_mm, there)
+        return _Gusset(made, sections)
 
     def _cores(self, made: Mapping[Edge, _Gusset]) -> Iterator[Manifold]:
         for v, around in self._corners.items():
@@ -295,22 +232,24 @@ class Pieces:
                         open_ = [f for f in corner.faces if f not in self.mouths]
                         feet = [self.wall_mm * self.normals[f] for f in open_]
                         tips = np.array([0 * corner.move_mm, corner.move_mm, *feet])
-                        yield Manifold.hull_points(corner.at_mm + tips)
+                        yield hull(corner.at_mm + tips)
                 elif not self.mouths.issuperset(corner.faces):
                     sections = [
-                        (gusset.sections[v], gusset.middle_mm)
+                        gusset.sections[v]
                         for edge, gusset in made.items()
                         if v in edge and self._face_at[edge] in corner.faces
                     ]
                     yield from self._core(corner, sections)
 
-    def _core(self, corner: _Corner, sections: Sequence[tuple[Array, Array]]) -> Iterator[Manifold]:
-        """The core of a vertex, and its joints with the gussets that end there."""
+    def _core(self, corner: _Corner, sections: Sequence[Array]) -> Iterator[Manifold]:
+        """The core of a vertex in which gussets end with some sections."""
         size = 2 * _FAR * self.wall_mm
         core = Manifold.cube([size] * 3, center=True).translate(corner.at_mm.tolist())
         core = _cut(core, corner, corner.ways, self.wall_mm if corner.reflex else 0.0)
         core = _cut(core, corner, corner.normals, self.wall_mm)
-        if corner.reflex or core.is_empty():
+        if core.volume() < _LEAST * self.wall_mm**3:
+            return
+        if corner.reflex:
             yield core
             return
         points = np.asarray(core.to_mesh64().vert_properties)[:, :3]
@@ -319,19 +258,7 @@ class Pieces:
         if _encloses(self.block, spot) == self.outside:
             return
         feet = [self.wall_mm * self.normals[f] for f in corner.faces if f not in self.mouths]
-        points = np.vstack([points, corner.at_mm + feet, *(section for section, _ in sections)])
-        yield Manifold.hull_points(points)
-        for section, middle in sections:
-            yield _joint(section, middle, points.mean(axis=0))
-
-    def _triangles(self, id_: str) -> Iterator[tuple[Edge, Array]]:
-        """For each edge of a face the third corner of its triangle."""
-        names = [v for loop in self._loops[id_] for v in loop]
-        for triangle in triangulated(self.rings[id_]).tolist():
-            for k in range(3):
-                v, w, x = (names[triangle[(k + n) % 3]] for n in range(3))
-                if self._face_at.get((v, w)) == id_:
-                    yield (v, w), self._at[x]
+        yield hull(np.vstack([points, corner.at_mm + feet, *sections]))
 
     def _all_corners(self) -> dict[str, dict[str, _Corner]]:
         """For each vertex and face there, the corner that they belong to."""
@@ -366,8 +293,6 @@ class Pieces:
             normals=normals,
             ways=ways / np.linalg.norm(ways, axis=1)[:, None],
             reflex=min(bends) > -_FLAT,
-            straight=int(np.linalg.matrix_rank(normals, tol=_FLAT)) < 3,
-            beside_mouth=bool(self.mouths.intersection(faces) - set(self.last)),
             move_mm=move if meets else None,
         )
 
@@ -393,13 +318,6 @@ def _turning(body: Polyhedron, loops: Sequence[Loop], normal: Array) -> tuple[Lo
         loop if sense == (n == 0) else loop[::-1]
         for n, (loop, sense) in enumerate(zip(loops, senses, strict=True))
     )
-
-
-def _joint(shared: Array, one: Array, other: Array) -> Manifold:
-    """A flat joint over the face that pieces share, towards a point in each."""
-    middle = shared.mean(axis=0)
-    tips = middle + _INTO * (np.array([one, other]) - middle)
-    return Manifold.hull_points(np.vstack([shared, tips]))
 
 
 def _cut(made: Manifold, corner: _Corner, normals: Array, limit: float) -> Manifold:

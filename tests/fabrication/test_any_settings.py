@@ -222,6 +222,13 @@ def test_typical_mistakes_about_prints(said, ids, words):
     assert caught.value.ids == ids
 
 
+def test_a_print_without_a_face_is_refused_by_name():
+    model = shapes.box(left_out=tuple(shapes.box_loops(1, 1, 1)))
+    with pytest.raises(FabricationError, match="no face to make anything of") as caught:
+        shell_solid(model, ShellSettings())
+    assert set(caught.value.ids) == set(model.faces)
+
+
 def test_what_fits_the_bed_on_another_side_is_told_so():
     assert "lay it on another side" in bed_note((120.0, 80.0, 60.0 + 1e-7), (60.0, 80.0, 120.0))
     assert "a larger printer" in bed_note((120.0, 80.0, 60.0), (100.0, 60.0, 60.0))

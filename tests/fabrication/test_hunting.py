@@ -50,6 +50,8 @@ def test_plates_of_random_shapes(family):
         ("slanted_lid", 50002),
         ("spire", 50003),
         ("frustum", 50014),
+        ("organizer", 50002),
+        ("star", 50001),
     ],
 )
 def test_prints_of_random_shapes(family, seed):

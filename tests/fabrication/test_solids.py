@@ -3,6 +3,7 @@
 import io
 import itertools
 import zipfile
+from itertools import pairwise
 
 import lib3mf
 import numpy as np
@@ -102,12 +103,21 @@ def test_a_solve_leaves_planes_a_little_bent():
     assert solid.Volume() == pytest.approx(volume, rel=1e-4)
 
 
-def test_open_edges_are_named():
-    model = shapes.tray()
+def test_a_flat_loop_without_a_face_is_an_opening():
+    solid = shell_solid(shapes.tray(turned=2), ShellSettings(3.0))
+    assert solid.Volume() == pytest.approx(150 * 90 * 40 - 144 * 84 * 37, rel=1e-9)
+    shelf = shell_solid(shapes.bookshelf(turned=2), ShellSettings(3.0))
+    assert shelf.Volume() == pytest.approx(shapes.wall_volume("bookshelf", "inside"), rel=1e-9)
+
+
+def test_edges_that_lie_open_in_no_plane_are_named():
+    loops = {f: x for f, x in shapes.box_loops(90, 70, 40).items() if f not in ("top", "front")}
+    model = shapes.model(loops)
     with pytest.raises(FabricationError, match="do not close") as caught:
         shell_solid(model)
-    top = {e for e, ends in model.edges.items() if all(model.vertices_mm[v][2] == 40 for v in ends)}
-    assert set(caught.value.ids) == top
+    uses = [frozenset(p) for f in model.faces.values() for p in pairwise((*f.loop, f.loop[0]))]
+    free = {e for e, ends in model.edges.items() if uses.count(frozenset(ends)) == 1}
+    assert set(caught.value.ids) == free
 
 
 @pytest.mark.parametrize("wall", [30.0, 45.0])

@@ -3,7 +3,8 @@
 Terms
 -----
 skin
-    The faces that bound the block, left out or not; partitions are no part of it.
+    The faces that bound the block, left out or not; partitions are no part of it. A flat loop of
+    edges in which no face was drawn counts as a face left out.
 refit
     Faces of a solve are flat to about 1e-4 mm only. Planes are fitted to the faces and the
     vertices put where their planes meet, in turns, until both agree.
@@ -12,16 +13,17 @@ refit
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
 
-from ...solver.model import Model
+from ...solver.model import Model, ModelFace
 from ...solver.union_find import UnionFind
 from ...solver.values import Array
 from .errors import FabricationError
 from .frame import SNAP_MM, newell
+from .openings import caps
 from .overlapping import disjoint
 from .sides import face_sides
 
@@ -68,7 +70,7 @@ def polyhedron_of(model: Model) -> Polyhedron:
     FabricationError
         Where the faces do not close (naming the open edges) or are not flat (naming the faces).
     """
-    model = disjoint(model)
+    model = _capped(disjoint(model))
     loops = {id_: (face.loop, *face.holes) for id_, face in model.faces.items()}
     vertices = refit(model, loops)
     placed = {
@@ -87,6 +89,20 @@ def polyhedron_of(model: Model) -> Polyhedron:
     openings = tuple(id_ for id_ in skin if not model.faces[id_].included)
     kept = {id_: face for id_, face in partitions.items() if model.faces[id_].included}
     return Polyhedron(vertices, skin, openings, kept)
+
+
+def _capped(model: Model) -> Model:
+    """The model with a face, left out, in each flat loop of edges that lie open; see `openings`."""
+    drawn = [(face.loop_mm, *face.holes_mm) for face in model.faces.values()]
+    if not drawn:
+        return model
+    names, points = list(model.vertices_mm), np.array(list(model.vertices_mm.values()))
+    faces = dict(model.faces)
+    for cap in caps(drawn, float(np.linalg.norm(np.ptp(points, axis=0)))):
+        near = np.linalg.norm(points - cap[:, None], axis=2).argmin(axis=1)
+        loop = tuple(names[n] for n in near.tolist())
+        faces["-".join(loop)] = ModelFace(loop, points[near], (), (), 0.0, included=False)
+    return replace(model, faces=faces)
 
 
 def refit(model: Model, loops: Mapping[str, tuple[Loop, ...]]) -> dict[str, Array]:

@@ -72,7 +72,8 @@ def shell_solid(model: Model, settings: ShellSettings = _DEFAULTS) -> cq.Shape:
     Raises
     ------
     FabricationError
-        Where the faces do not close, or the walls are too thick for the object.
+        Where the faces do not close, the walls are too thick for the object, or openings leave
+        nothing or several parts of them.
     """
     if model.turned:
         return turned_solid(model, settings)
@@ -87,6 +88,8 @@ def shell_solid(model: Model, settings: ShellSettings = _DEFAULTS) -> cq.Shape:
     outwards = {id_: -sides[id_] * _normal(loops[0]) for id_, loops in placed.items()}
     if settings.solid:
         return kernel_solid(block)
+    if not body.partitions and len(body.openings) == len(body.skin):
+        raise FabricationError("no face to make anything of", body.openings, "include a face")
     return _one_solid(_walls(body, block, outwards, settings), body, block, settings)
 
 

@@ -17,10 +17,12 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
+import shapely
 
 from ...solver.model import Model, ModelFace
 from ...solver.union_find import UnionFind
 from ...solver.values import Array
+from .enclosed import plane_axes
 from .errors import FabricationError
 from .frame import SNAP_MM, newell
 from .openings import caps
@@ -99,10 +101,23 @@ def _capped(model: Model) -> Model:
     names, points = list(model.vertices_mm), np.array(list(model.vertices_mm.values()))
     faces = dict(model.faces)
     for cap in caps(drawn, float(np.linalg.norm(np.ptp(points, axis=0)))):
+        # Partitions that stand around a compartment end in its floor.
+        if any(_covers(face, cap) for face in drawn):
+            continue
         near = np.linalg.norm(points - cap[:, None], axis=2).argmin(axis=1)
         loop = tuple(names[n] for n in near.tolist())
         faces["-".join(loop)] = ModelFace(loop, points[near], (), (), 0.0, included=False)
     return replace(model, faces=faces)
+
+
+def _covers(face: Sequence[Array], cap: Array) -> bool:
+    """Whether some of a polygon lies in a face of its plane."""
+    axes = plane_axes(face[0])
+    if np.abs((cap - face[0][0]) @ axes[2]).max() > SNAP_MM:
+        return False
+    flat = [(ring - face[0][0]) @ axes[:2].T for ring in (*face, cap)]
+    spot = shapely.Polygon(flat[-1]).representative_point()
+    return bool(shapely.Polygon(flat[0], flat[1:-1]).contains(spot))
 
 
 def refit(model: Model, loops: Mapping[str, tuple[Loop, ...]]) -> dict[str, Array]:

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapely.geometry import Polygon
 
-from incontext.workbench.fabrication import FabricationError, PlateSettings, make_plates
+from incontext.workbench.fabrication import FabricationError, PlateSettings, make_plates, packing
 from incontext.workbench.fabrication.packing import pack
 from incontext.workbench.fabrication.sheets import lay_out
 
@@ -86,3 +86,20 @@ def test_packing_overlaps_nowhere(sizes):
         boxes.append((place.sheet, shapely.box(place.x, place.y, place.x + w, place.y + h)))
     for (s, one), (t, two) in itertools.combinations(boxes, 2):
         assert s != t or one.intersection(two).area < 1e-6
+
+
+def test_bins_packed_anew_save_one(monkeypatch):
+    sides = np.random.default_rng(60022).uniform(33, 393, (50, 2))
+    sizes, room = [(w, h) for w, h in sides.tolist()], (593.0, 393.0)
+    places = pack(sizes, room)
+    monkeypatch.setattr(packing, "_TRIES", 0)
+    assert max(p.sheet for p in places) < max(p.sheet for p in pack(sizes, room))
+    laid = [
+        (place.sheet, shapely.box(place.x, place.y, place.x + w, place.y + h))
+        for place, size in zip(places, sizes, strict=True)
+        for w, h in [size[::-1] if place.turned else size]
+    ]
+    assert {n for n, _ in laid} == set(range(max(n for n, _ in laid) + 1))
+    assert all(shapely.box(0, 0, *room).buffer(1e-6).covers(area) for _, area in laid)
+    for (m, a), (n, b) in itertools.combinations(laid, 2):
+        assert m != n or a.intersection(b).area < 1e-6

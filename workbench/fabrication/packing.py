@@ -1,16 +1,29 @@
 """Rectangles packed into bins: maximal free rectangles, best short side first.
 
-Source: J. Jylänki, A Thousand Ways to Pack the Bin (2010), MAXRECTS-BSSF. Several orders are
-tried and the one with the fewest bins (then the emptiest last one) is kept.
+Several orders are tried and the one with the fewest bins (then the emptiest last one) is kept.
+Where the area alone would need fewer bins, the emptiest one and some others are packed anew, again
+and again in other orders: what is no worse is kept.
+
+Sources: J. Jylänki, A Thousand Ways to Pack the Bin (2010), MAXRECTS-BSSF; G. Schrimpf et al.,
+Record breaking optimization results using the ruin and recreate principle (2000).
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+
+import numpy as np
 
 Rect = tuple[float, float, float, float]  # x, y, width, height
 _EPS = 1e-9
+#: How often bins are packed anew; three times as often saves one more bin of seventy.
+_TRIES = 200
+#: How many full bins go with the emptiest one, at most.
+_MOST_FULL = 3
+#: How far an order strays from the largest first: the standard deviation of the size's logarithm.
+_STRAY = 0.4
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +62,41 @@ def pack(
     )
     turns = (False, True) if turnable else (False,)
     results = [_packed(sizes, sorted(range(len(sizes)), key=key), room, turns) for key in keys]
-    return min(results, key=lambda places: _waste(places, sizes))
+    best = min(results, key=lambda places: _waste(places, sizes))
+    return _refined(best, sizes, room, turns)
+
+
+def _refined(
+    places: list[Place],
+    sizes: Sequence[tuple[float, float]],
+    room: tuple[float, float],
+    turns: Sequence[bool],
+) -> list[Place]:
+    """Places in fewer bins, where some bins packed anew leave one out."""
+    areas = np.array([width * height for width, height in sizes])
+    needed = math.ceil(float(areas.sum()) / (room[0] * room[1]) - _EPS)
+    rng = np.random.default_rng(0)
+    for _ in range(_TRIES):
+        filled = np.bincount([place.sheet for place in places], areas)
+        if len(filled) <= needed:
+            break
+        emptiest, *others = np.argsort(filled).tolist()
+        count = min(len(others), int(rng.integers(1, _MOST_FULL + 1)))
+        opened = [emptiest, *rng.choice(others, count, replace=False).tolist()]
+        taken = [n for n, place in enumerate(places) if place.sheet in opened]
+        order = np.argsort(-areas[taken] * np.exp(_STRAY * rng.normal(size=len(taken)))).tolist()
+        anew = _packed([sizes[n] for n in taken], order, room, turns)
+        if max(place.sheet for place in anew) >= len(opened):
+            continue
+        changed = list(places)
+        for n, place in zip(taken, anew, strict=True):
+            changed[n] = replace(place, sheet=opened[place.sheet])
+        left = sorted({place.sheet for place in changed})
+        changed = [replace(place, sheet=left.index(place.sheet)) for place in changed]
+        after = np.bincount([place.sheet for place in changed], areas)
+        if (len(after), after.min()) <= (len(filled), filled.min()):
+            places = changed
+    return places
 
 
 def _waste(places: Sequence[Place], sizes: Sequence[tuple[float, float]]) -> tuple[int, float]:

@@ -87,3 +87,12 @@ def test_exploded_plates_are_apart():
     assert still == 1
     bodies = [body(p) for p in apart]
     assert all((a ^ b).volume() == 0 for n, a in enumerate(bodies) for b in bodies[:n])
+
+
+def test_walls_go_on_square_to_themselves():
+    plates = make_plates(shapes.model(shapes.prism(slanted.HEXAGON, 70.0)))
+    normals = {plate.id: plate.world_from_plate[:3, 2] for plate in plates}
+    steps = assembly_steps(plates)
+    for step in steps[1:]:
+        (id_,) = step.plate_ids
+        assert abs(step.way @ normals[id_]) == pytest.approx(1.0)

@@ -34,6 +34,8 @@ from .sweeps import swept, together
 
 #: Plates may touch so much while they move, mm3.
 TOUCH_MM3 = 1e-3
+#: By so much of a plate a group counts as smaller that leaves square to a plate: less than one.
+_SQUARE = 0.5
 
 
 class Blocking:
@@ -50,7 +52,9 @@ class Blocking:
         self._far_mm = 2.0 * float(np.linalg.norm(np.ptp(points, axis=0)))
         self._bodies = [together(swept(plate, np.zeros(3))) for plate in plates]
         found = facings(plates)
-        self.ways = _ways(np.array([p.world_from_plate[:3, 2] for p in plates]), found.normals)
+        normals = np.array([plate.world_from_plate[:3, 2] for plate in plates])
+        self.ways = _ways(normals, found.normals)
+        self._squareness = np.abs(self.ways @ normals.T)
         #: What is known to be blocked: (ways, plates, plates).
         self._blocked = found.blocked(self.ways, len(plates))
         self._free: set[tuple[int, int, int]] = set()
@@ -62,21 +66,20 @@ class Blocking:
         A plate that leaves square to itself is preferred, and is seen at once.
         """
         some = np.asarray(plates)
-        normals = np.array([self._plates[n].world_from_plate[:3, 2] for n in plates])
-        square = np.flatnonzero((np.abs(self.ways @ normals.T) > 1 - 1e-9).any(axis=1))
-        found = self._smallest(square, some)
-        if found is None or len(found[1]) > 1:
-            found = self._smallest(np.arange(len(self.ways)), some)
-        return found
+        square = np.flatnonzero((self._squareness[:, some] > 1 - 1e-9).any(axis=1))
+        found = self._smallest(square, some, most=1 - _SQUARE + 1e-6)
+        return found or self._smallest(np.arange(len(self.ways)), some, most=len(some))
 
-    def _smallest(self, ways: NDArray[np.int_], some: Array) -> tuple[int, tuple[int, ...]] | None:
-        """The smallest group that can leave along one of these ways.
+    def _smallest(
+        self, ways: NDArray[np.int_], some: Array, most: float
+    ) -> tuple[int, tuple[int, ...]] | None:
+        """The smallest group that can leave along one of these ways, if it is that small.
 
         Groups are tried the smallest first. What then blocks one makes it larger, never smaller.
         """
         waiting = self._groups(ways, some)
         heapq.heapify(waiting)
-        while waiting:
+        while waiting and waiting[0][0] < most:
             _, way, group = heapq.heappop(waiting)
             rest = [n for n in some.tolist() if n not in group]
             if not any(self._hits(way, one, other) for one in group for other in rest):
@@ -87,17 +90,22 @@ class Blocking:
 
     def _groups(
         self, ways: NDArray[np.int_], some: Array
-    ) -> list[tuple[int, int, tuple[int, ...]]]:
-        """The smallest group of each way that is not everything: size, way, plates."""
+    ) -> list[tuple[float, int, tuple[int, ...]]]:
+        """The smallest group of each way that is not everything: size, way, plates.
+
+        Of groups of one size that counts as smaller whose plate leaves more square to itself.
+        """
         reach = self._blocked[np.ix_(ways, some, some)] | np.eye(len(some), dtype=bool)
         for n in range(len(some)):
             reach |= reach[:, :, n, None] & reach[:, None, n, :]
         # What a plate reaches has to leave with it.
-        sizes = reach.sum(axis=2)
+        counts = reach.sum(axis=2)
+        sizes = counts - _SQUARE * self._squareness[np.ix_(ways, some)]
+        first = sizes.argmin(axis=1)
         groups = []
-        for row in np.flatnonzero(sizes.min(axis=1) < len(some)).tolist():
-            group = tuple(some[reach[row, sizes[row].argmin()]].tolist())
-            groups.append((len(group), int(ways[row]), group))
+        for row in np.flatnonzero(counts.min(axis=1) < len(some)).tolist():
+            group = tuple(some[reach[row, first[row]]].tolist())
+            groups.append((float(sizes[row, first[row]]), int(ways[row]), group))
         return groups
 
     def _hits(self, way: int, one: int, other: int) -> bool:

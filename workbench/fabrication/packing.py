@@ -91,9 +91,10 @@ def _refined(
         changed = list(places)
         for n, place in zip(taken, anew, strict=True):
             changed[n] = replace(place, sheet=opened[place.sheet])
-        left = sorted({place.sheet for place in changed})
-        changed = [replace(place, sheet=left.index(place.sheet)) for place in changed]
         after = np.bincount([place.sheet for place in changed], areas)
+        fullest = np.argsort(-after, kind="stable").tolist()
+        changed = [replace(place, sheet=fullest.index(place.sheet)) for place in changed]
+        after = np.sort(after[after > 0])[::-1]
         if (len(after), after.min()) <= (len(filled), filled.min()):
             places = changed
     return places

@@ -73,6 +73,21 @@ def leaning_unequal(**options):
     return leaning(50.0, thickness=thickness, **options)
 
 
+def eaves(**options):
+    """A desk whose slanted top reaches beyond its walls, which end on it."""
+    loops = shapes.prism([(0, 0), (110, 0), (110, 150), (0, 150)], 1.0)
+
+    def height(x):
+        return 70 + 0.3 * x
+
+    loops = {
+        id_: [(x, y, height(x) if z else 0.0) for x, y, z in loop] for id_, loop in loops.items()
+    }
+    corners = [(-20, -15), (130, -15), (130, 165), (-20, 165)]
+    loops["top"] = [(x, y, height(x)) for x, y in corners]
+    return shapes.model(loops, **options)
+
+
 PARTITIONED = {
     "hexagon with shelf": hexagon_with_shelf,
     "leaning": leaning,

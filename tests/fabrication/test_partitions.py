@@ -32,6 +32,27 @@ def test_laws(name, side):
         assert (union(plates) - hull).volume() <= 1e-3
 
 
+@pytest.mark.parametrize("side", ["inside", "outside", "middle"])
+def test_a_plate_on_which_walls_end_stays_whole(side):
+    plates = {plate.id: plate for plate in make_plates(slanted.eaves(), PlateSettings(side=side))}
+    assert max(overlaps(tuple(plates.values())).values()) <= 1e-6
+    assert plates["top"].polygon.area == pytest.approx(180 * 150 * math.hypot(1, 0.3), rel=1e-6)
+    for plate in plates.values():
+        assert plate.polygon.buffer(-0.05).geom_type == "Polygon"
+
+
+@pytest.mark.parametrize("turns", [(0.0, 1.9, 4.1), (0.0, 1.2, math.pi), (0.0, 1.4, 2.9, 4.6)])
+def test_plates_that_meet_in_one_line_and_nowhere_else(turns):
+    """All of them are partitions: none has an outside."""
+    loops = {}
+    for n, turn in enumerate(turns):
+        x, y = 80 * math.cos(turn), 80 * math.sin(turn)
+        loops[f"s{n}"] = [(0, 0, 0), (x, y, 0), (x, y, 90), (0, 0, 90)]
+    plates = make_plates(shapes.model(loops))
+    assert max(overlaps(plates).values()) <= 1e-6
+    assert sum(plate.polygon.area for plate in plates) > (len(turns) * 80 - 12) * 90
+
+
 def slots_of(plate):
     """Length and width of each slot, the longer first."""
     boxes = [shapely.Polygon(hole).minimum_rotated_rectangle for hole in plate.holes]

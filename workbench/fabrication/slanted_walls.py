@@ -237,6 +237,8 @@ def _moved_across(
 
 def _with_common_corners(walls: Sequence[SlantedWall]) -> tuple[SlantedWall, ...]:
     """The walls with each other's corners on their edges, so that seams are whole edges."""
+    if not walls:
+        return ()
     corners = np.vstack([wall.in_world(ring) for wall in walls for ring in wall.rings])
     result = []
     for wall in walls:

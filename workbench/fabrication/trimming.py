@@ -155,7 +155,10 @@ def _behind(opening: SlantedWall, wall: SlantedWall) -> Array:
 def trimmed(
     walls: Sequence[SlantedWall], outlines: Sequence[Polygon], plan: JointPlan
 ) -> list[Polygon]:
-    """The outlines without what overlaps a lower plate: the shadow of it, square to the sheet."""
+    """The outlines without what overlaps a lower plate: the shadow of it, square to the sheet.
+
+    Where it would be a hole in the higher plate, the lower one ends on it and is cut instead.
+    """
     result = list(outlines)
     bodies = [plate_body(wall, outline) for wall, outline in zip(walls, result, strict=True)]
     for high in range(len(walls)):
@@ -163,10 +166,13 @@ def trimmed(
             shared = bodies[low] ^ bodies[high]
             if shared.volume() <= OVERLAP_MM3:
                 continue
-            shadow = shadow_of(walls[high], shared)
-            share = shadow.area / max(result[high].area, OVERLAP_MM3)
+            ends, passes = high, low
+            if _well_inside(walls[high], shared) and not _well_inside(walls[low], shared):
+                ends, passes = low, high
+            shadow = shadow_of(walls[ends], shared)
+            share = shadow.area / max(result[ends].area, OVERLAP_MM3)
             if share > 0.5:
-                one, two = walls[low], walls[high]
+                one, two = walls[passes], walls[ends]
                 ids = (one.face_ids[0], two.face_ids[0])
                 raise FabricationError(
                     f"the plates would lie in one another: {ids[0]} takes {share:.0%} of "
@@ -174,9 +180,15 @@ def trimmed(
                     (*ids, *plan.edges_between(ids)),
                     "thinner plates",
                 )
-            result[high] = without(result[high], shadow)
-            bodies[high] = plate_body(walls[high], result[high])
+            result[ends] = without(result[ends], shadow)
+            bodies[ends] = plate_body(walls[ends], result[ends])
     return result
+
+
+def _well_inside(wall: SlantedWall, solid: manifold3d.Manifold) -> bool:
+    """Whether a part of a wall's body is nowhere nearer to its border than the wall is thick."""
+    core = Polygon(wall.rings[0]).buffer(-wall.thickness_mm, join_style="mitre")
+    return bool(core.contains(shadow_of(wall, solid)))
 
 
 def takers_of(

@@ -89,7 +89,7 @@ class FullProblem:
         self.m = problem.structure.n_coordinates
         self.n_vertices = len(problem.points)
         self.up = problem.up_in_cam
-        self.curved = bool(problem.blocks) or len(problem.diameters) > 0
+        self.curved = bool(problem.blocks) or len(problem.diameters) + len(problem.rims) > 0
         self._balances = balances_of(problem.structure)
         self.constrained = self.curved or len(self._balances) > 0
         self.vertices = Vertices(problem)
@@ -327,6 +327,10 @@ class FullProblem:
             jacobians.append(summed.astype(np.float64, copy=False).reshape(size, M))
         if len(self.problem.diameters):
             h, by_g = self.problem.diameters.evaluate(x.g, self.coordinate)
+            residuals.append(h)
+            jacobians.append(np.hstack([np.zeros((len(h), N_CAMERA)), by_g]))
+        if len(self.problem.rims):
+            h, by_g = self.problem.rims.evaluate(x.g)
             residuals.append(h)
             jacobians.append(np.hstack([np.zeros((len(h), N_CAMERA)), by_g]))
         if len(self._balances):

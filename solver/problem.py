@@ -25,6 +25,7 @@ from .energies import ENERGIES, Linearised
 from .geometry import diagonal
 from .graph import SketchGraph
 from .named_faces import named_faces
+from .rims import Rims, rims_of
 from .sizes import Diameters, proportional_diameters
 from .structure import Structure, common_axis
 from .topology import MAX_KEPT, Topology, topology_of
@@ -90,6 +91,7 @@ class Problem:
     structure : Structure
     blocks : tuple of Block
     diameters : Diameters
+    rims : Rims
     px_per_unit : float
     log_focal_prior : float or None
         Logarithm of a known focal length in image units.
@@ -104,6 +106,7 @@ class Problem:
     structure: Structure
     blocks: tuple[Block, ...]
     diameters: Diameters
+    rims: Rims
     px_per_unit: float
     log_focal_prior: float | None
     camera: Camera | None = None
@@ -133,6 +136,7 @@ def build_problem(graph: SketchGraph, structure: Structure) -> Problem:
         structure=structure,
         blocks=leftover_constraints(graph, structure),
         diameters=proportional_diameters(graph, structure),
+        rims=rims_of(graph, structure),
         px_per_unit=unit,
         log_focal_prior=None if focal is None else float(np.log(focal / unit)),
         camera=graph.camera,
@@ -358,5 +362,6 @@ class _Planes:
 
 def conditions_of(graph: SketchGraph, structure: Structure) -> int:
     """How many conditions the shared coordinates still have to meet."""
-    blocks = build_problem(graph, structure).blocks
-    return sum(len(block.items) for block in blocks) + len(structure.balances)
+    problem = build_problem(graph, structure)
+    in_blocks = sum(len(block.items) for block in problem.blocks)
+    return in_blocks + len(structure.balances) + len(problem.rims)

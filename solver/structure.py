@@ -254,6 +254,8 @@ def _share_coordinates(
         for r in _turned(topology):
             on_axis = [3 * circle[c] for c in (r.ground, r.bottom, r.top)]
             pairs += [_chain([i + k for i in on_axis]) for k in {0, 1, 2} - {vertical}]
+        rims = topology.rims + np.array([0, len(topology.vertices)])
+        pairs.append(3 * rims + vertical)
     shared = first_members(np.vstack(pairs), 3 * n_points)
     faces = named_faces(topology)
     if faces is not None:

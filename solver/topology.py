@@ -50,6 +50,8 @@ class Topology:
         Edges of each parallel annotation and of each symmetry plane.
     ground : (g,) int array
         Vertices annotated as on the ground, each once.
+    rims : (t, 2) int array
+        Vertices and the circles on which they lie (`rims`).
     """
 
     vertices: Mapping[str, int]
@@ -65,6 +67,7 @@ class Topology:
     places: Mapping[str, tuple[int, ...]]
     parallels: tuple[IntArray, ...]
     ground: IntArray
+    rims: IntArray
 
 
 @kept
@@ -77,6 +80,7 @@ def topology_of(graph: SketchGraph) -> Topology:
         graph.revolutions,
         graph.drawn_faces,
         graph.annotations,
+        _on_rims(graph),
     )
     with _lock:
         for i, (known, topology) in enumerate(_kept):
@@ -138,7 +142,18 @@ def topology_with(graph: SketchGraph, annotations: Mapping[str, Annotation]) -> 
         places={kind: tuple(at) for kind, at in places.items()},
         parallels=tuple(indices(edges, group) for group in together),
         ground=np.sort(indices(vertices, [*ground])),
+        rims=np.array(_on_rims(graph), dtype=np.int64).reshape(-1, 2),
     )
+
+
+@kept
+def _on_rims(graph: SketchGraph) -> tuple[tuple[int, int], ...]:
+    """Vertices drawn on axis ends of circles, and these, by number; moved together they stay so."""
+    if not graph.circles:
+        return ()
+    drawn = [*enumerate(graph.vertices.values())]
+    circles = [(k, {*c.a, *c.b}) for k, c in enumerate(graph.circles.values())]
+    return tuple((i, k) for k, ends in circles for i, place in drawn if place in ends)
 
 
 @kept

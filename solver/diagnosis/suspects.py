@@ -211,13 +211,19 @@ def unshared(soft: FullProblem, full: FullProblem, x: Pose) -> Pose:
 
 
 def _own_coordinates(graph: SketchGraph, tied: Structure) -> IntArray:
-    """Coordinates of all points, each its own; that circles stand on one axis nobody annotated."""
+    """Coordinates of all points, each its own, but those that are tied without an annotation.
+
+    Circles stand on one axis, and vertices that lie on a circle are as high as it is.
+    """
     coordinate = np.arange(tied.coordinate.size).reshape(tied.coordinate.shape)
     centre = {c: len(graph.vertices) + k for k, c in enumerate(graph.circles)}
     level = [k for k in range(3) if k != tied.vertical]
     for r in graph.revolutions.values():
         on_axis = [centre[c] for c in (r.ground, r.bottom, r.top)]
         coordinate[np.ix_(on_axis, level)] = coordinate[np.ix_(on_axis[:1], level)]
+    for vertex, circle in topology_of(graph).rims if tied.vertical is not None else ():
+        own = coordinate[vertex, tied.vertical]
+        coordinate[coordinate == own] = coordinate[len(graph.vertices) + circle, tied.vertical]
     _, names = np.unique(coordinate, return_inverse=True)
     return np.asarray(names.reshape(coordinate.shape), dtype=np.int64)
 
@@ -379,4 +385,6 @@ def row_owners(graph: SketchGraph, full: FullProblem) -> list[tuple[str, ...]]:
             owners += [alone.get(owner) or asking(owner, item)] * rows_each
     diameters = full.problem.diameters
     owners += [(*diameters.reference_owner, owner) for owner in diameters.owners]
+    # Nobody annotated that vertices lie on circles.
+    owners += [()] * len(full.problem.rims)
     return owners + [(owner,) for owner in full.problem.structure.balance_owners]

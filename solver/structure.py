@@ -104,10 +104,12 @@ def structure_along(graph: SketchGraph, topology: Topology, directions: Directio
 def _axes(
     graph: SketchGraph, topology: Topology, directions: Directions
 ) -> tuple[tuple[int, ...], int | None]:
-    """The object axes, and that which is upright where circles need one."""
+    """The object axes, and that which is upright where something needs one."""
     axes = _choose_axes(_drawn_lengths(graph, topology), directions)
-    # Circles are horizontal: some axis must be vertical.
-    return axes, _most_upright_axis(graph, topology, directions, axes) if graph.circles else None
+    # Circles are horizontal, and a camera that is known knows the ground: some axis is vertical.
+    if not graph.circles and (graph.camera is None or not len(topology.ground)):
+        return axes, None
+    return axes, _most_upright_axis(graph, topology, directions, axes)
 
 
 @lru_cache(maxsize=MAX_KEPT)
@@ -128,8 +130,8 @@ def _share(
     """The structure in the chosen axes."""
     edge_axis, edge_across = _edges_on_axes(topology, directions, axes)
     vertical = _vertical_axis(topology, edge_axis, edge_across) if axes else None
-    if vertical is None and axes and topology.circles and len(topology.ground):
-        # Circles lie as the ground does, and nothing says that it is square to an axis.
+    if vertical is None and axes and upright is not None and len(topology.ground):
+        # Nothing says that the ground is square to an axis.
         return _share(topology, directions, (), 2)
     vertical = upright if vertical is None else vertical
     coordinate = _share_coordinates(topology, edge_axis, edge_across, vertical)

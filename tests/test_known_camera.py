@@ -10,8 +10,16 @@ from asserts import assert_annotations_hold, assert_solved
 from scenes import LID, bookshelf, box, photograph, photograph_turned, v, with_traced_box
 
 from incontext.solver import solve
+from incontext.solver.annotations import Length, RightAngle
 from incontext.solver.dimensions.lengths import set_size
 from incontext.solver.solution import Status
+from incontext.solver.synthetic.shapes import from_loops, tapered_tray, wedge
+
+
+def pyramid():
+    """A tip over a base without any right angle."""
+    X = [[0, 0, 0], [200, 0, 0], [230, 160, 0], [-20, 140, 0], [100, 80, 150]]
+    return from_loops("tip", X, [(0, 1, 2, 3), (0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)])
 
 
 @pytest.mark.parametrize("make", [box, bookshelf])
@@ -25,6 +33,26 @@ def test_the_world_is_the_cameras_and_the_size_follows(make, seed):
     found = np.array([solution.vertices_mm[v(i)] for i in range(len(shape.X))])
     np.testing.assert_allclose(found, shape.X, atol=1e-6)
     assert solution.camera.to_json() == photo.camera.to_json()
+
+
+@pytest.mark.parametrize(
+    ("make", "freedoms"),
+    [(tapered_tray, 0), (wedge, 2), (pyramid, 1)],
+    ids=["tray", "wedge", "tip"],
+)
+def test_the_ground_is_the_cameras_where_nothing_is_square(make, freedoms):
+    shape = make()
+    said = {k: a for k, a in shape.annotations.items() if not isinstance(a, RightAngle | Length)}
+    plain = replace(shape, annotations=said)
+    photo = photograph(plain, np.random.default_rng(4))
+    solution = solve(replace(photo.graph, camera=photo.camera))
+    assert solution.report.degrees_of_freedom == freedoms
+    assert not solution.scale_assumed
+    assert solution.camera.to_json() == photo.camera.to_json()
+    # What stands on the ground is known; what does not goes along its ray at most.
+    on_ground = [i for i, p in enumerate(shape.X) if freedoms == 0 or p[2] == 0]
+    found = np.array([solution.vertices_mm[v(i)] for i in on_ground])
+    np.testing.assert_allclose(found, shape.X[on_ground], atol=1e-6)
 
 
 def test_a_careless_sketch_keeps_camera_and_right_angles():

@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 
@@ -27,7 +28,7 @@ from ..initial import USUAL_LOG_FOCAL, lift_linear, starts
 from ..least_squares import Evaluation
 from ..problem import Problem, build_problem
 from ..structure import Structure, build_structure
-from ..topology import topology_of
+from ..topology import MAX_KEPT, Topology, topology_of
 from ..values import Array, IntArray, Stop
 from .again import KnownShape
 
@@ -177,23 +178,8 @@ def spring_stiffness(problem: Problem) -> float:
 
 
 def softened(graph: SketchGraph, problem: Problem) -> FullProblem:
-    """The soft problem: no coordinate is shared but those of circles on one axis."""
-    tied = problem.structure
-    coordinate = _own_coordinates(graph, tied)
-    n_free = int(coordinate.max(initial=-1)) + 1
-    free: Structure = replace(
-        tied,
-        edge_axis=np.full_like(tied.edge_axis, -1),
-        edge_across=np.zeros_like(tied.edge_across),
-        coordinate=coordinate,
-        radius=n_free + np.arange(len(tied.radius)),
-        n_coordinates=n_free + len(tied.radius),
-        balances=tied.balances[:0],
-        balance_owners=(),
-        # Circles know their normal by it.
-        vertical=tied.vertical if len(tied.radius) else None,
-        has_axes=False,
-    )
+    """The soft problem: no coordinate is shared but those that are tied without an annotation."""
+    free = _freed(topology_of(graph), problem.structure)
     known = problem.log_focal_prior
     # From afar all springs are soft: a wide prior keeps the camera near where people stand.
     prior = FocalPrior(USUAL_LOG_FOCAL, SOFT_FOCAL_SIGMA)
@@ -210,20 +196,40 @@ def unshared(soft: FullProblem, full: FullProblem, x: Pose) -> Pose:
     return Pose(x.R, x.log_focal, g)
 
 
-def _own_coordinates(graph: SketchGraph, tied: Structure) -> IntArray:
+@lru_cache(maxsize=MAX_KEPT)
+def _freed(topology: Topology, tied: Structure) -> Structure:
+    """The structure of the soft problem; one and the same while vertices move, as `tied` is."""
+    coordinate = _own_coordinates(topology, tied)
+    n_free = int(coordinate.max(initial=-1)) + 1
+    return replace(
+        tied,
+        edge_axis=np.full_like(tied.edge_axis, -1),
+        edge_across=np.zeros_like(tied.edge_across),
+        coordinate=coordinate,
+        radius=n_free + np.arange(len(tied.radius)),
+        n_coordinates=n_free + len(tied.radius),
+        balances=tied.balances[:0],
+        balance_owners=(),
+        # Circles know their normal by it.
+        vertical=tied.vertical if len(tied.radius) else None,
+        has_axes=False,
+    )
+
+
+def _own_coordinates(topology: Topology, tied: Structure) -> IntArray:
     """Coordinates of all points, each its own, but those that are tied without an annotation.
 
     Circles stand on one axis, and vertices that lie on a circle are as high as it is.
     """
     coordinate = np.arange(tied.coordinate.size).reshape(tied.coordinate.shape)
-    centre = {c: len(graph.vertices) + k for k, c in enumerate(graph.circles)}
+    centre = {c: len(topology.vertices) + k for c, k in topology.circles.items()}
     level = [k for k in range(3) if k != tied.vertical]
-    for r in graph.revolutions.values():
+    for r in topology.revolutions.values():
         on_axis = [centre[c] for c in (r.ground, r.bottom, r.top)]
         coordinate[np.ix_(on_axis, level)] = coordinate[np.ix_(on_axis[:1], level)]
-    for vertex, circle in topology_of(graph).rims if tied.vertical is not None else ():
+    for vertex, circle in topology.rims if tied.vertical is not None else ():
         own = coordinate[vertex, tied.vertical]
-        coordinate[coordinate == own] = coordinate[len(graph.vertices) + circle, tied.vertical]
+        coordinate[coordinate == own] = coordinate[len(topology.vertices) + circle, tied.vertical]
     _, names = np.unique(coordinate, return_inverse=True)
     return np.asarray(names.reshape(coordinate.shape), dtype=np.int64)
 

@@ -28,6 +28,7 @@ import shapely
 from shapely.geometry import MultiPoint, Polygon
 
 from ...solver.values import Array
+from .booleans import hull, united
 from .overlays import sides_mm
 from .parts_in_space import Part, corners, in_words, whole
 from .plates import Plate
@@ -201,8 +202,7 @@ def _gap(part: Part, thing: Thing) -> float:
 
 
 def _overlap(part: Part, thing: Thing) -> Overlap | None:
-    shared = [part.body ^ body for body in thing.bodies]
-    body = manifold3d.Manifold.batch_boolean(shared, manifold3d.OpType.Add)
+    body = united(part.body ^ body for body in thing.bodies)
     if body.is_empty() or body.volume() <= 0:
         return None
     if thing.kind == "surface":
@@ -250,10 +250,10 @@ def _into_plate(plate: Plate, thing: manifold3d.Manifold, shared: manifold3d.Man
 
 def _width(points: Array) -> float:
     """The least distance of two parallel planes that take in all points, one along a facet."""
-    hull = manifold3d.Manifold.hull_points(points)
-    if hull.is_empty():
+    around = hull(points)
+    if around.is_empty():
         return 0.0
-    mesh = hull.to_mesh64()
+    mesh = around.to_mesh64()
     a, b, c = (mesh.vert_properties[:, :3][mesh.tri_verts[:, k]] for k in range(3))
     normals = np.cross(b - a, c - a)
     sizes = np.linalg.norm(normals, axis=1)

@@ -20,6 +20,7 @@ import numpy as np
 from ...solver.camera import Camera
 from ...solver.model import Model
 from ...solver.values import Array
+from .booleans import united
 from .errors import FabricationError
 from .frame import find_frame
 from .meshes import Mesh
@@ -66,7 +67,7 @@ def print_part(mesh: Mesh) -> Part:
 
 def whole(parts: Iterable[Part]) -> manifold3d.Manifold:
     """All parts as one body."""
-    return manifold3d.Manifold.batch_boolean([part.body for part in parts], manifold3d.OpType.Add)
+    return united(part.body for part in parts)
 
 
 def ways_of(model: Model, camera: Camera | None) -> dict[str, Array]:

@@ -28,6 +28,7 @@ from ...solver.model import turned_profile
 from ...solver.solution import Solution
 from ...solver.union_find import UnionFind
 from ...solver.values import Array
+from .booleans import hull
 from .enclosed import enclosed, plane_axes
 from .sides import face_sides
 
@@ -163,9 +164,9 @@ def _convex(faces: Mapping[str, Face], vertices: Mapping[str, Array]) -> manifol
     corner = _hidden_corner(faces, vertices)
     if corner is not None:
         points = np.vstack([points, corner])
-    hull = manifold3d.Manifold.hull_points(points)
+    around = hull(points)
     size = float(np.ptp(points, axis=0).max())
-    if len(faces) < 2 or hull.is_empty() or hull.volume() < 1e-6 * size**3:
+    if len(faces) < 2 or around.is_empty() or around.volume() < 1e-6 * size**3:
         return None
     for face in faces.values():
         loop = _points(face.loop, vertices)
@@ -174,10 +175,10 @@ def _convex(faces: Mapping[str, Face], vertices: Mapping[str, Array]) -> manifol
             return None
     # A corner within the body would be a dent.
     for k in range(len(points)):
-        rest = manifold3d.Manifold.hull_points(np.delete(points, k, axis=0))
-        if rest.volume() > hull.volume() * (1 - 1e-9):
+        rest = hull(np.delete(points, k, axis=0))
+        if rest.volume() > around.volume() * (1 - 1e-9):
             return None
-    return hull
+    return around
 
 
 def _hidden_corner(faces: Mapping[str, Face], vertices: Mapping[str, Array]) -> Array | None:
@@ -206,7 +207,7 @@ def _flat(loops: Sequence[Array]) -> manifold3d.Manifold:
 def _line(start: Array, end: Array) -> manifold3d.Manifold:
     """An edge as a thin rod."""
     around = np.vstack([np.eye(3), -np.eye(3)]) * FLAT_MM / 2
-    return manifold3d.Manifold.hull_points(np.vstack([start + around, end + around]))
+    return hull(np.vstack([start + around, end + around]))
 
 
 def _stacks(circles: Sequence[str], solution: Solution) -> list[list[str]]:
@@ -244,7 +245,7 @@ def _of_circles(circles: Sequence[str], solution: Solution) -> Thing:
 
 
 def _between(rings: Sequence[Array]) -> tuple[manifold3d.Manifold, ...]:
-    return tuple(manifold3d.Manifold.hull_points(np.vstack(pair)) for pair in pairwise(rings))
+    return tuple(hull(np.vstack(pair)) for pair in pairwise(rings))
 
 
 def _of_revolution(id_: str, revolution: Revolution, solution: Solution) -> Thing:

@@ -26,7 +26,10 @@ def cross(u: Array, v: Array) -> Array:
     """
     u0, u1, u2 = u[..., 0], u[..., 1], u[..., 2]
     v0, v1, v2 = v[..., 0], v[..., 1], v[..., 2]
-    return np.stack([u1 * v2 - u2 * v1, u2 * v0 - u0 * v2, u0 * v1 - u1 * v0], axis=-1)
+    x = u1 * v2 - u2 * v1
+    w = np.empty((*x.shape, 3))
+    w[..., 0], w[..., 1], w[..., 2] = x, u2 * v0 - u0 * v2, u0 * v1 - u1 * v0
+    return w
 
 
 def cross_columns(u: Array, v: Array) -> Array:

@@ -240,7 +240,9 @@ def _measured(sides: Sides, c: Condition) -> float:
 def _turned_over(sides: Sides, q: Array) -> bool:
     """Whether an edge points the other way: lengths do not tell, people do."""
     before, after = sides.points(0 * q), sides.points(q)
-    ends = np.array([[sides.names[v] for v in ends] for ends in sides.graph.edges.values()])
+    named = [sides.names[v] for ends in sides.graph.edges.values() for v in ends]
+    # A side may have no edge yet.
+    ends = np.array(named, dtype=np.int64).reshape(-1, 2)
     old, new = (X[ends[:, 1]] - X[ends[:, 0]] for X in (before, after))
     return bool((np.einsum("ij,ij->i", old, new) < 0).any())
 

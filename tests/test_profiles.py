@@ -10,7 +10,7 @@ import pytest
 from scenes import LID, Turned, photograph_turned
 
 from incontext.solver import solve
-from incontext.solver.annotations import Diameter, EqualLength, Length, RightAngle
+from incontext.solver.annotations import Diameter, EqualLength, Ground, Length, RightAngle
 from incontext.solver.model import turned_profile
 from incontext.solver.solution import Status
 
@@ -147,3 +147,10 @@ def test_a_known_camera_tells_the_size_and_stays():
     assert solution.report.residuals["side"].value < 1e-6
     np.testing.assert_allclose(solution.camera.position_mm, camera.position_mm, atol=1e-6)
     assert solution.circles["c0"].radius_mm == pytest.approx(70.0, abs=1e-6)
+
+
+def test_a_side_without_edges_yet_takes_what_is_said_of_its_vertices():
+    graph, _ = photograph_turned(LID, np.random.default_rng(1))
+    bare = saying(replace(graph, edges={}), low=Ground(("p1",)))
+    solution = solve(bare)
+    assert solution.circles["c0"].radius_mm == pytest.approx(LID.circles[0][0], rel=1e-8)
